@@ -1,0 +1,146 @@
+#include "sim/build.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/element/element.h"
+#include "sim/mesh/order.h"
+#include "sim/solve/linear_solver.h"
+#include "sim/solve/newton.h"
+#include "sim/stable_step.h"
+#include "sim/term/gravity.h"
+
+namespace sim {
+
+namespace {
+
+std::string key_of(const char* list, std::size_t k) { return std::string(list) + "." + std::to_string(k); }
+
+// Which material each element has: 0 is the body's own, later ones override groups.
+std::vector<int> material_of_elements(const Body& body, std::size_t number) {
+  std::vector<int> of(body.mesh.element_count(), 0);
+  for (std::size_t m = 1; m < body.materials.size(); ++m) {
+    const Group& group = find_group(body.mesh, body.materials[m].group);
+    if (group.elements.empty())
+      throw InputError(key_of("body", number) + "." + key_of("region", m - 1) + ".group",
+                       "group \"" + group.name + "\" has no elements");
+    for (const int e : group.elements) of[e] = static_cast<int>(m);
+  }
+  return of;
+}
+
+BodyRange range_of(const Body& body, const BodyRange* last) {
+  BodyRange range{body.name, 0, body.mesh.node_count(), 0, body.mesh.element_count(), 0, nullptr};
+  if (last) {
+    range.first_node = last->first_node + last->node_count;
+    range.first_element = last->first_element + last->element_count;
+  }
+  range.size = (body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff()).maxCoeff();
+  return range;
+}
+
+void add_body(System::Parts& parts, std::size_t b) {
+  const Body& body = parts.bodies[b];
+  const BodyRange& range = parts.ranges[b];
+  const std::vector<int> material = material_of_elements(body, b);
+  std::vector<double> density(material.size());
+  for (std::size_t e = 0; e < material.size(); ++e) density[e] = body.materials[material[e]].density;
+  parts.masses.emplace_back(body, density, range.first_node);
+  const std::vector<int> order = spatial_order(body.mesh);
+  for (std::size_t m = 0; m < body.materials.size(); ++m) {
+    ElasticInput input{body, body.materials[m], {}, range.first_node, parts.node_count};
+    for (const int e : order)
+      if (material[e] == static_cast<int>(m)) input.elements.push_back(e);
+    if (input.elements.empty()) continue;
+    auto term = make_elastic(input, parts.D);
+    parts.elastic.push_back(term.get());
+    parts.elastic_body.push_back(static_cast<int>(b));
+    parts.terms.push_back(std::move(term));
+  }
+  for (std::size_t k = 0; k < body.pins.size(); ++k) {
+    std::vector<int> nodes = nodes_in(body.mesh, body.pins[k].where);
+    if (nodes.empty())
+      throw InputError(key_of("body", b) + "." + key_of("pin", k), "no node of \"" + body.name + "\" is in this region");
+    for (int& node : nodes) node += range.first_node;
+    parts.pins.add(body.pins[k], nodes, parts.X, parts.D);
+  }
+}
+
+void place_nodes(System::Parts& parts) {
+  for (const Body& body : parts.bodies) parts.ranges.push_back(range_of(body, parts.ranges.empty() ? nullptr : &parts.ranges.back()));
+  for (std::size_t b = 0; b < parts.bodies.size(); ++b) parts.ranges[b].mesh = &parts.bodies[b].mesh;
+  parts.node_count = parts.ranges.empty() ? 0 : parts.ranges.back().first_node + parts.ranges.back().node_count;
+  parts.X = Eigen::VectorXd::Zero(parts.dofs());
+  parts.node_size.resize(parts.node_count);
+  for (const BodyRange& range : parts.ranges) {
+    parts.node_size.segment(range.first_node, range.node_count).setConstant(range.size);
+    for (int i = 0; i < range.node_count; ++i)
+      parts.X.segment(static_cast<Eigen::Index>(range.first_node + i) * parts.D, range.mesh->dimension()) =
+          range.mesh->X.col(i);
+  }
+}
+
+void place_probes(System::Parts& parts, const std::vector<Probe>& probes) {
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    const Probe& probe = probes[k];
+    const auto range = std::find_if(parts.ranges.begin(), parts.ranges.end(),
+                                    [&](const BodyRange& r) { return r.name == probe.body; });
+    if (range == parts.ranges.end())
+      throw InputError(key_of("probe", k) + ".body", "\"" + probe.body + "\" is not the name of a body");
+    const auto point = locate(*range->mesh, probe.at);
+    if (!point)
+      throw InputError(key_of("probe", k) + ".at", "the point is outside the body \"" + probe.body + "\"");
+    parts.probes.push_back({range->first_node, range->mesh, *point});
+  }
+}
+
+// Explicit schemes with substeps = 0: what stability needs, with a margin for what stiffens while it moves.
+void settle_substeps(System::Parts& parts) {
+  constexpr double margin = 0.8;
+  if (parts.time.substeps > 0) return;
+  parts.time.substeps = 1;
+  if (!parts.scheme->stages.empty()) return;
+  const double h = margin * stable_step(parts);
+  parts.time.substeps = std::max(1, static_cast<int>(std::ceil(1.0 / (parts.time.fps * h))));
+  parts.remarks.push_back("explicit: " + std::to_string(parts.time.substeps) + " steps a frame, as stability needs");
+}
+
+void form_pattern(System::Parts& parts) {
+  if (parts.scheme->stages.empty()) return;
+  parts.solver.linear = settled_solver(parts.solver.linear, parts.dofs());
+  if (!forms_matrix(parts.solver.linear)) return;
+  Coupling coupling(parts.node_count);
+  for (const Mass& mass : parts.masses) mass.couple(coupling);
+  for (const auto& term : parts.terms) term->couple(coupling);
+  parts.pattern = coupling.pattern();
+  for (Mass& mass : parts.masses) mass.bind(*parts.pattern);
+  for (const auto& term : parts.terms) term->bind(*parts.pattern);
+}
+
+}  // namespace
+
+std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
+  auto parts = std::make_unique<System::Parts>();
+  parts->D = scene.dimension;
+  parts->threads = threads;
+  parts->time = scene.time;
+  parts->solver = scene.solver;
+  parts->scheme = find_scheme(scene.time.integrator);
+  if (!parts->scheme)
+    throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
+  definiteness(scene.solver.definiteness);
+  parts->bodies = scene.bodies;
+  // Nothing is divided by the mass of a static scene; its weight is that of the true integrals.
+  if (parts->scheme->is_static)
+    for (Body& body : parts->bodies) body.mass = "consistent";
+  place_nodes(*parts);
+  for (std::size_t b = 0; b < parts->bodies.size(); ++b) add_body(*parts, b);
+  if (scene.world.gravity.head(parts->D).norm() > 0)
+    parts->terms.push_back(std::make_unique<Gravity>(scene.world.gravity, parts->masses, parts->X, parts->D));
+  place_probes(*parts, scene.probes);
+  settle_substeps(*parts);
+  form_pattern(*parts);
+  return parts;
+}
+
+}  // namespace sim

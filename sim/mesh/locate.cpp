@@ -1,0 +1,142 @@
+#include "sim/mesh/locate.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <numeric>
+#include <type_traits>
+
+#include "sim/element/list.h"
+#include "sim/mesh/boundary.h"
+#include "sim/mesh/geometry.h"
+
+namespace sim {
+namespace {
+
+constexpr double tolerance = 1e-9;  // of the mesh size
+
+// Into the reference element: a simplex has one corner more than dimensions, the others are [-1,1]^d.
+template <class E>
+std::array<double, E::dimension> clamped(std::array<double, E::dimension> xi) {
+  if constexpr (E::corners == E::dimension + 1) {
+    for (double& x : xi) x = std::max(x, 0.0);
+    const double sum = std::accumulate(xi.begin(), xi.end(), 0.0);
+    for (double& x : xi) x /= std::max(sum, 1.0);
+  } else {
+    for (double& x : xi) x = std::clamp(x, -1.0, 1.0);
+  }
+  return xi;
+}
+
+// Newton on X(xi) = X (Gauss-Newton on a surface in space): dX/dxi dxi = X - X(xi), from the centroid. Steps are cut to
+// length 1, the size of the reference element. Convergence is quadratic: after a step below 1e-9 only rounding is left,
+// and 30 steps are plenty where the point is inside.
+template <class E>
+std::array<double, E::dimension> inverse_map(const ElementX<E>& X_e, const Position& X) {
+  std::array<double, E::dimension> xi{};
+  for (const auto& corner : E::corner_xi) {
+    for (int k = 0; k < E::dimension; ++k) xi[k] += corner[k] / E::corners;
+  }
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Position r = X - position<E>(X_e, xi);
+    const Eigen::Matrix<double, E::dimension, 1> step = jacobian<E>(X_e, xi).colPivHouseholderQr().solve(r);
+    const double length = step.norm(), cut = std::max(1.0, length);
+    for (int k = 0; k < E::dimension; ++k) xi[k] += step[k] / cut;
+    if (length < 1e-9) break;
+  }
+  return xi;
+}
+
+// Outside the element's box, widened by the tolerance and, for curved elements, by how far they may bulge out of it.
+template <class E>
+bool outside_box(const ElementX<E>& X_e, const Position& X, double near) {
+  const Position low = X_e.rowwise().minCoeff(), high = X_e.rowwise().maxCoeff();
+  const double wide = near + (E::order == 2 ? 0.5 * (high - low).maxCoeff() : 0.0);
+  return (X.array() < low.array() - wide).any() || (X.array() > high.array() + wide).any();
+}
+
+// The nearest element within the tolerance; the search ends at the first that holds the point to rounding.
+template <class E>
+std::optional<MaterialPoint> locate_in(const Mesh& mesh, const Position& X) {
+  const double size = bounding_size(mesh.X), exact = 1e-14 * size;
+  double nearest = tolerance * size;
+  std::optional<MaterialPoint> found;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const ElementX<E> X_e = gather<E>(mesh.X, mesh.elements.col(e).data());
+    if (outside_box<E>(X_e, X, tolerance * size)) continue;
+    const auto xi = clamped<E>(inverse_map<E>(X_e, X));
+    const double distance = (X - position<E>(X_e, xi)).norm();
+    if (!(distance <= nearest)) continue;
+    if (found && distance == nearest) continue;
+    const auto N = E::N(xi);
+    found = MaterialPoint{e, {N.begin(), N.end()}};
+    nearest = distance;
+    if (distance <= exact) break;
+  }
+  return found;
+}
+
+// For every node: whether it lies in the region.
+std::vector<char> inside(const Mesh& mesh, const Region& region) {
+  std::vector<char> in(mesh.node_count(), 0);
+  const int d = mesh.dimension();
+  const double near = tolerance * bounding_size(mesh.X);
+  const auto mark = [&](auto&& contains) {
+    for (int n = 0; n < mesh.node_count(); ++n) in[n] = contains(mesh.X.col(n));
+  };
+  std::visit(
+      [&]<class R>(const R& where) {
+        if constexpr (std::is_same_v<R, Box>) {
+          const Eigen::ArrayXd low = where.low.head(d).array() - near, high = where.high.head(d).array() + near;
+          mark([&](const auto& X) { return (X.array() >= low).all() && (X.array() <= high).all(); });
+        } else if constexpr (std::is_same_v<R, Sphere>) {
+          mark([&](const auto& X) { return (X - where.centre.head(d)).norm() <= where.radius + near; });
+        } else {
+          for (const int n : find_group(mesh, where.name).nodes) in[n] = 1;
+        }
+      },
+      region);
+  return in;
+}
+
+}  // namespace
+
+std::optional<MaterialPoint> locate(const Mesh& mesh, const Vec3& X) {
+  const Position at = X.head(mesh.dimension());
+  return visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) { return locate_in<E>(mesh, at); });
+}
+
+const Group& find_group(const Mesh& mesh, const std::string& name) {
+  for (const Group& group : mesh.groups) {
+    if (group.name == name) return group;
+  }
+  std::string names;
+  for (const Group& group : mesh.groups) names += (names.empty() ? "\"" : ", \"") + group.name + "\"";
+  throw InputError("group", "the mesh has no group \"" + name + "\"; " +
+                                (names.empty() ? "it has no groups at all" : "its groups are " + names));
+}
+
+std::vector<int> nodes_in(const Mesh& mesh, const Region& region) {
+  const auto in = inside(mesh, region);
+  std::vector<int> nodes;
+  for (int n = 0; n < mesh.node_count(); ++n) {
+    if (in[n]) nodes.push_back(n);
+  }
+  return nodes;
+}
+
+Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
+  if (const auto* named = std::get_if<InGroup>(&region)) {
+    const Group& group = find_group(mesh, named->name);
+    if (group.facets.cols() > 0) return group.facets;
+  }
+  const auto in = inside(mesh, region);
+  const Eigen::MatrixXi all = boundary_facets(mesh);
+  std::vector<int> chosen;
+  for (int f = 0; f < all.cols(); ++f) {
+    const auto facet = all.col(f);
+    if (std::all_of(facet.begin(), facet.end(), [&](int n) { return in[n]; })) chosen.push_back(f);
+  }
+  return all(Eigen::all, chosen);
+}
+
+}  // namespace sim

@@ -1,0 +1,37 @@
+#include "sim/mesh/quadratic.h"
+
+#include "sim/element/list.h"
+#include "sim/mesh/subdivide.h"
+
+namespace sim {
+namespace {
+
+// One child that fills its parent and has more nodes.
+struct SameCell {
+  template <class Parent, class Child>
+  std::array<ChildXi<Child>, 1> operator()(const ElementX<Parent>&) const {
+    return {node_xi<Child>()};
+  }
+};
+
+}  // namespace
+
+Mesh to_quadratic(const Mesh& mesh) {
+  if (info(mesh.kind).order == 2) return mesh;
+  Mesh quadratic;
+  bool found = false;
+  for_each_type(Elements{}, [&]<class E>(std::type_identity<E>) {
+    if constexpr (E::order == 2) {
+      if (E::Linear::kind != mesh.kind) return;
+      quadratic = subdivide<typename E::Linear, E>(mesh, SameCell{});
+      found = true;
+    }
+  });
+  if (!found) {
+    throw InputError("mesh.element",
+                     std::string(info(mesh.kind).name) + " has no quadratic form here; take tri3 or tet4");
+  }
+  return quadratic;
+}
+
+}  // namespace sim

@@ -1,0 +1,132 @@
+// A scene as plain data: what a user writes in a TOML file, checked and with every default filled in.
+// SI units. Vectors have three numbers; in a 2D scene the third is zero and means nothing.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/mesh/mesh.h"
+
+namespace sim {
+
+using Vec3 = Eigen::Vector3d;
+
+// Input that cannot be built. `key` is the path of the scene key at fault ("body.0.pin.0"), so that the
+// program can say file and line.
+struct InputError : std::runtime_error {
+  std::string key;
+  InputError(std::string key_, const std::string& what_) : std::runtime_error(what_), key(std::move(key_)) {}
+};
+
+struct Time {
+  double seconds = 2.0;                        // s, simulated
+  int fps = 60;                                // frames per simulated second; frame k is at k/fps exactly
+  int substeps = 1;                            // steps per frame, h = 1/(fps*substeps); 0 = auto (explicit schemes: what stability needs)
+  std::string integrator = "backward-euler";   // a row of sim/time/scheme.h
+};
+
+struct Solver {
+  std::string linear = "cholmod";              // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
+  double tolerance = 1e-4;                     // body sizes per second: Newton stops when max |dx|/(g h) is below it
+  int max_iterations = 50;                     // Newton iterations per stage
+  std::string definiteness = "clamp";          // "clamp" | "abs" | "none"
+};
+
+struct World {
+  Vec3 gravity = {0, -9.81, 0};                // m/s^2
+};
+
+struct MaterialSpec {
+  std::string model = "stable-neo-hookean";    // a line of sim/material/list.h
+  double young = 1e6;                          // Pa, > 0
+  double poisson = 0.45;                       // (-1, 0.5)
+  double density = 1000;                       // kg/m^3, > 0
+  std::string group;                           // "" = the whole body, else the region of the mesh that has this material
+};
+
+// Where: nodes inside a box or a sphere at rest, or a group of the mesh.
+struct Box {
+  Vec3 low, high;
+};
+struct Sphere {
+  Vec3 centre;
+  double radius = 0;
+};
+struct InGroup {
+  std::string name;
+};
+using Region = std::variant<Box, Sphere, InGroup>;
+
+// A pose along a script: rotate about an axis through a centre, then translate. Linear in between.
+struct Keyframe {
+  double t = 0;                                // s
+  Vec3 translate = {0, 0, 0};                  // m
+  Vec3 axis = {0, 0, 1};                       // unit
+  Vec3 centre = {0, 0, 0};                     // m
+  double degrees = 0;
+};
+
+struct Pin {
+  Region where;
+  std::string axes = "xyz";                    // which components are prescribed
+  std::vector<Keyframe> motion;                // empty: it stays where it is
+  std::optional<double> release;               // s; from then on the nodes are free
+};
+
+struct Traction {
+  Region where;                                // boundary facets all of whose nodes are inside
+  Vec3 value = {0, 0, 0};                      // Pa, dead load per rest area
+  double ramp = 0;                             // s to rise from 0 to value (smoothly)
+};
+
+struct Damping {
+  double alpha = 0;                            // 1/s, times M
+  double beta = 0;                             // s, times K
+};
+
+struct Spin {
+  Vec3 axis = {0, 0, 1};                       // through the centre of mass
+  double rate = 0;                             // rad/s
+};
+
+struct Body {
+  std::string name;
+  Mesh mesh;                                   // already placed (translate, rotate, scale applied)
+  double thickness = 1;                        // m; triangles and quads only
+  std::vector<MaterialSpec> materials;         // first: the whole body; later ones override a group
+  std::string mass = "lumped";                 // "lumped" | "consistent"
+  Damping damping;
+  std::vector<Pin> pins;
+  std::vector<Traction> tractions;
+  Vec3 velocity = {0, 0, 0};                   // m/s, initial
+  Spin spin;
+};
+
+struct Plane {
+  Vec3 point, normal;
+};
+struct Obstacle {
+  std::variant<Plane, Sphere> shape;
+  double friction = 0;                         // Coulomb coefficient
+};
+
+struct Probe {
+  std::string name, body;
+  Vec3 at = {0, 0, 0};                         // material point, m
+};
+
+struct Scene {
+  int dimension = 3;                           // 2 when every mesh is
+  Time time;
+  Solver solver;
+  World world;
+  std::vector<Body> bodies;
+  std::vector<Obstacle> obstacles;
+  std::vector<Probe> probes;
+};
+
+}  // namespace sim

@@ -1,0 +1,57 @@
+// The sparse symmetric matrix of the system, in D x D blocks, one for each pair of nodes that share an element.
+// Stored whole (both halves), row by row (block CSR), so that a product needs no scatter.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace sim {
+
+// Which nodes are coupled; rows sorted, the diagonal always present.
+struct BlockPattern {
+  std::vector<int> start;   // row i holds column[start[i]] ... column[start[i+1]-1]
+  std::vector<int> column;
+
+  int rows() const { return static_cast<int>(start.size()) - 1; }
+  int blocks() const { return static_cast<int>(column.size()); }
+  // Position of block (i, j) in `column`; it must exist.
+  int slot(int i, int j) const;
+};
+
+// Gathers which nodes are coupled, clique by clique, and makes the pattern.
+class Coupling {
+ public:
+  explicit Coupling(int nodes) : nodes_(nodes) {}
+  // All pairs of these nodes are coupled.
+  void add(std::span<const int> clique);
+  BlockPattern pattern() const;
+
+ private:
+  int nodes_;
+  std::vector<int> start_ = {0};
+  std::vector<int> members_;
+};
+
+class BlockMatrix {
+ public:
+  BlockMatrix(const BlockPattern& pattern, int D) : pattern_(&pattern), D_(D), values_(pattern.column.size() * D * D) {}
+
+  const BlockPattern& pattern() const { return *pattern_; }
+  int D() const { return D_; }
+  std::vector<double>& values() { return values_; }
+  const std::vector<double>& values() const { return values_; }
+  double* block(int slot) { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }  // row-major
+  const double* block(int slot) const { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }
+
+  void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+  // y = A p
+  void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y, int threads) const;
+
+ private:
+  const BlockPattern* pattern_;
+  int D_;
+  std::vector<double> values_;
+};
+
+}  // namespace sim

@@ -1,0 +1,28 @@
+#include "sim/solve/iterative_solver.h"
+
+namespace sim {
+
+IterativeSolver::IterativeSolver(const System::Parts& parts) : inverse_diagonal_(parts.dofs()) {
+  if (parts.pattern) matrix_.emplace(*parts.pattern, parts.D);
+}
+
+LinearResult IterativeSolver::solve(const TangentOperator& A, const Linearisation&, const Eigen::VectorXd& r,
+                                    double tolerance, KeptFactor&, Eigen::VectorXd& dx) {
+  A.diagonal(inverse_diagonal_);
+  inverse_diagonal_ = inverse_diagonal_.array().abs().inverse();
+  if (matrix_) A.assemble(*matrix_);
+  const auto multiply = [&](const Eigen::VectorXd& p, Eigen::VectorXd& Ap) {
+    if (!matrix_) return A.multiply(p, Ap);
+    matrix_->multiply(p, Ap, A.threads());
+    Ap.array() *= A.free().array();
+  };
+  const auto precondition = [&](const Eigen::VectorXd& residual, Eigen::VectorXd& z) {
+    z = inverse_diagonal_.cwiseProduct(residual);
+  };
+  const int most = 100 + static_cast<int>(std::min<Eigen::Index>(r.size(), 20000));
+  const PcgResult cg = pcg(multiply, precondition, r, tolerance, most, scratch_, dx);
+  // Negative curvature at once: there is no direction to use. Later: what was reached is one.
+  return {cg.iterations, 0, cg.positive_definite || cg.iterations > 1, cg.converged};
+}
+
+}  // namespace sim

@@ -1,0 +1,25 @@
+// Solves by conjugate gradients with the diagonal as preconditioner: on the assembled matrix, or without any matrix
+// through the terms' products (the lecture's dx -> df).
+#pragma once
+
+#include <optional>
+
+#include "sim/solve/linear_solver.h"
+#include "sim/solve/pcg.h"
+
+namespace sim {
+
+class IterativeSolver final : public LinearSolver {
+ public:
+  explicit IterativeSolver(const System::Parts& parts);
+
+  LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
+                     KeptFactor& kept, Eigen::VectorXd& dx) override;
+
+ private:
+  std::optional<BlockMatrix> matrix_;
+  Eigen::VectorXd inverse_diagonal_;
+  PcgScratch scratch_;
+};
+
+}  // namespace sim

@@ -1,0 +1,157 @@
+#include "sim/solve/newton.h"
+
+#include <cmath>
+
+#include "sim/solve/stopwatch.h"
+
+namespace sim {
+
+namespace {
+
+constexpr double linear_tolerance = 1e-3;      // |residual of the linear solve| / |right-hand side|
+constexpr double armijo = 1e-4;                // share of the predicted decrease that a step must give
+constexpr int most_halvings = 40;
+constexpr double step_share = 0.9;             // of the largest step that a term allows
+constexpr double energy_noise = 1e-13;         // relative round-off of the stage's potential
+
+}  // namespace
+
+Definiteness definiteness(const std::string& name) {
+  if (name == "clamp") return Definiteness::clamp;
+  if (name == "abs") return Definiteness::abs;
+  if (name == "none") return Definiteness::none;
+  throw InputError("solver.definiteness", "\"" + name + "\" is not one of clamp, abs, none");
+}
+
+Newton::Newton(const System::Parts& parts, int threads)
+    : parts_(parts),
+      fix_(definiteness(parts.solver.definiteness)),
+      tangent_(parts, threads),
+      linear_(make_linear_solver(parts)),
+      f_(parts.dofs()),
+      residual_(parts.dofs()),
+      dx_(parts.dofs()),
+      x_from_(parts.dofs()),
+      v_from_(parts.dofs()),
+      difference_(parts.dofs()),
+      product_(parts.dofs()) {}
+
+void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept) {
+  if (parts_.pins.released(t_end) != tangent_.epoch()) {
+    parts_.pins.mark(t_end, tangent_.free());
+    tangent_.set_epoch(parts_.pins.released(t_end));
+  }
+  if (linear_->lost(kept)) {
+    parts_.pins.mark(kept.t, tangent_.free());
+    tangent_.begin_step({kept.x_begin, kept.v_begin, kept.t_begin, 0});
+    tangent_.linearise({kept.x, kept.v, kept.t, kept.dv_dx}, kept.mass, static_cast<Definiteness>(kept.definiteness), f_);
+    linear_->restore(tangent_, kept);
+    parts_.pins.mark(t_end, tangent_.free());
+  }
+  tangent_.begin_step(start);
+}
+
+void Newton::inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result) {
+  difference_ = v - stage.v_start;
+  result = -stage.impulse;
+  for (const Mass& mass : parts_.masses) mass.add_product(1, difference_, result, parts_.D);
+}
+
+// 1/2 |v - v_start|_M^2 - (v - v_start) . impulse + U
+double Newton::potential(const StageProblem& stage, const Motion& motion) {
+  const double U = tangent_.energy(motion);
+  if (stage.gh == 0) return U;
+  inertia(stage, motion.v, product_);
+  return 0.5 * difference_.dot(product_) - 0.5 * difference_.dot(stage.impulse) + U;
+}
+
+// x = x* + g h v on the free components; a static problem moves x itself.
+void Newton::move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const {
+  if (stage.gh == 0) {
+    x = x_from_ + a * dx_;
+    return;
+  }
+  v = v_from_ + (a / stage.gh) * dx_;
+  const auto& free = tangent_.free();
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    if (free[i] != 0) x[i] = stage.x_star[i] + stage.gh * v[i];
+}
+
+// The Newton direction dx_ from the residual f - (M (v - v_start) - impulse)/(g h). False: a value is not finite.
+bool Newton::direction(const StageProblem& stage, const Motion& motion, const Motion& begin, double tolerance,
+                       KeptFactor& kept, StepReport& report) {
+  const double rate = motion.dv_dx, mass = rate * rate;
+  for (Definiteness fix = fix_;; fix = Definiteness::clamp) {
+    Stopwatch watch(report.seconds_assemble);
+    tangent_.linearise(motion, mass, fix, f_);
+    ++report.force_evaluations;
+    residual_ = f_;
+    if (stage.gh != 0) {
+      inertia(stage, motion.v, product_);
+      residual_ -= rate * product_;
+    }
+    residual_.array() *= tangent_.free().array();
+    watch.stop();
+    if (!std::isfinite(residual_.squaredNorm())) return false;
+
+    Stopwatch solve_watch(report.seconds_solve);
+    const LinearResult linear = linear_->solve(tangent_, {motion, begin, mass, fix}, residual_, tolerance, kept, dx_);
+    report.linear += linear.iterations;
+    report.factorisations += linear.factorisations;
+    if (linear.positive_definite) return dx_.allFinite();
+    // The exact tangent is not positive definite here: clamped, it is.
+    if (fix == Definiteness::clamp) return false;
+  }
+}
+
+// Armijo backtracking; returns the step taken, 0 when none decreases the potential.
+double Newton::line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                           StepReport& report) {
+  const double slope = -residual_.dot(dx_);
+  const double before = potential(stage, motion);
+  const double limit = tangent_.largest_step(motion, dx_);
+  double a = limit < 1 ? step_share * limit : 1;
+  x_from_ = x;
+  v_from_ = v;
+  const double noise = energy_noise * (std::abs(before) + std::abs(slope));
+  for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
+    move(stage, a, x, v);
+    const double after = potential(stage, motion);
+    if (after <= before + armijo * a * slope + noise) return a;
+    ++report.backtracks;
+  }
+  move(stage, 0, x, v);
+  return 0;
+}
+
+bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                   KeptFactor& kept, StepReport& report) {
+  const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
+  const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
+  const int most = stage.one_iteration ? 1 : parts_.solver.max_iterations;
+  for (int k = 0; k < most; ++k) {
+    if (!direction(stage, motion, begin, linear_tolerance, kept, report)) {
+      report.failure = "the forces or the Newton direction are not finite";
+      return false;
+    }
+    ++report.newton;
+    double a = 1;
+    if (stage.one_iteration) {
+      x_from_ = x;
+      v_from_ = v;
+      move(stage, a, x, v);
+    } else {
+      a = line_search(stage, motion, x, v, report);
+    }
+    report.residual = 0;
+    for (Eigen::Index node = 0; node < parts_.node_count; ++node)
+      report.residual = std::max(report.residual, dx_.segment(node * parts_.D, parts_.D).norm() * per_second /
+                                                      parts_.node_size[node]);
+    if (stage.one_iteration || (a == 1 && report.residual <= parts_.solver.tolerance)) return true;
+    if (a == 0) break;
+  }
+  report.converged = false;
+  return true;
+}
+
+}  // namespace sim

@@ -1,0 +1,53 @@
+// Newton's method on the potential of one stage: minimises 1/2 |x - (x* + g h v*)|_M^2 + (g h)^2 U(x).
+#pragma once
+
+#include "sim/report.h"
+#include "sim/solve/linear_solver.h"
+
+namespace sim {
+
+// One stage, in the variables of sim/time/scheme.h. Vectors have D numbers per node.
+struct StageProblem {
+  const Eigen::VectorXd& x_star;    // m
+  const Eigen::VectorXd& v_start;   // sum c_k v_k [m/s]; M v* = M v_start + impulse
+  const Eigen::VectorXd& impulse;   // h sum d_k f_k [kg m/s]
+  double gh = 0;                    // s; 0 for a static problem: no mass, x is the unknown
+  double t = 0;                     // s, at the end of the stage
+  bool one_iteration = false;
+};
+
+class Newton {
+ public:
+  Newton(const System::Parts& parts, int threads);
+
+  // Terms freeze what they keep for a step; the free components are those of time t_end of the step.
+  void begin_step(const Motion& start, double t_end, KeptFactor& kept);
+  // x and v: the start of the iteration on entry, with prescribed components in place; the stage's solution on return.
+  // False, with report.failure, when the start is not allowed or a value is not finite.
+  bool solve(const StageProblem& stage, const Motion& begin, Eigen::VectorXd& x, Eigen::VectorXd& v, KeptFactor& kept,
+             StepReport& report);
+  // The stage's potential up to a constant [J]; +infinity where it is not allowed.
+  double potential(const StageProblem& stage, const Motion& motion);
+
+  TangentOperator& tangent() { return tangent_; }
+
+ private:
+  bool direction(const StageProblem& stage, const Motion& motion, const Motion& begin, double tolerance,
+                 KeptFactor& kept, StepReport& report);
+  double line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                     StepReport& report);
+  void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
+  // M (v - v_start) - impulse
+  void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
+
+  const System::Parts& parts_;
+  Definiteness fix_;
+  TangentOperator tangent_;
+  std::unique_ptr<LinearSolver> linear_;
+  Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
+};
+
+// "clamp", "abs", "none". Throws InputError (key "solver.definiteness").
+Definiteness definiteness(const std::string& name);
+
+}  // namespace sim

@@ -1,0 +1,57 @@
+#include "sim/solve/tangent_operator.h"
+
+namespace sim {
+
+TangentOperator::TangentOperator(const System::Parts& parts, int threads)
+    : parts_(parts), threads_(threads), free_(Eigen::VectorXd::Ones(parts.dofs())) {
+  for (const auto& term : parts.terms) stores_.push_back(term->make_store(threads));
+}
+
+void TangentOperator::begin_step(const Motion& start) {
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->begin_step(start, *stores_[k]);
+}
+
+void TangentOperator::linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f) {
+  mass_ = mass;
+  f.setZero();
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->linearise(motion, fix, *stores_[k], f);
+}
+
+void TangentOperator::forces(const Motion& motion, Eigen::VectorXd& f) {
+  f.setZero();
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_forces(motion, *stores_[k], f);
+}
+
+double TangentOperator::energy(const Motion& motion) {
+  double U = 0;
+  for (std::size_t k = 0; k < stores_.size(); ++k) U += parts_.terms[k]->energy(motion, *stores_[k]);
+  return U;
+}
+
+double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd& dx) const {
+  double a = 1;
+  for (const auto& term : parts_.terms) a = std::min(a, term->largest_step(motion, dx));
+  return a;
+}
+
+void TangentOperator::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
+  y.setZero();
+  for (const Mass& mass : parts_.masses) mass.add_product(mass_, p, y, parts_.D);
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_product(*stores_[k], p, y);
+  y.array() *= free_.array();
+}
+
+void TangentOperator::diagonal(Eigen::VectorXd& d) const {
+  d.setZero();
+  for (const Mass& mass : parts_.masses) mass.add_diagonal(mass_, d, parts_.D);
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_diagonal(*stores_[k], d);
+  d.array() = d.array() * free_.array() + (1 - free_.array());
+}
+
+void TangentOperator::assemble(BlockMatrix& A) const {
+  A.set_zero();
+  for (const Mass& mass : parts_.masses) mass.add_matrix(mass_, A);
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_matrix(*stores_[k], A);
+}
+
+}  // namespace sim

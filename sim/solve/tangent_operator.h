@@ -1,0 +1,51 @@
+// The matrix of a Newton step, A = c M + K with K = sum over the terms, restricted to the free components; given as a
+// product, as a diagonal, or assembled. Which of these is formed is the linear solver's choice.
+#pragma once
+
+#include <span>
+
+#include "sim/parts.h"
+
+namespace sim {
+
+class TangentOperator {
+ public:
+  TangentOperator(const System::Parts& parts, int threads);
+
+  // Terms freeze what they keep for a step.
+  void begin_step(const Motion& start);
+  // Linearises every term at the motion; mass: c [1/s^2]. f = -grad U (not restricted).
+  void linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f);
+  // f = -grad U
+  void forces(const Motion& motion, Eigen::VectorXd& f);
+  // U, +infinity where a term does not allow the motion
+  double energy(const Motion& motion);
+  double largest_step(const Motion& motion, const Eigen::VectorXd& dx) const;
+
+  // free[i] = 0: component i is prescribed
+  Eigen::VectorXd& free() { return free_; }
+  const Eigen::VectorXd& free() const { return free_; }
+  int epoch() const { return epoch_; }
+  void set_epoch(int epoch) { epoch_ = epoch; }  // changes when the free components do
+
+  // y = A p; p must be zero on prescribed components, y is.
+  void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const;
+  // d = diagonal of A, 1 on prescribed components.
+  void diagonal(Eigen::VectorXd& d) const;
+  // A, prescribed components included (the solver leaves them out).
+  void assemble(BlockMatrix& A) const;
+
+  const System::Parts& parts() const { return parts_; }
+  int threads() const { return threads_; }
+  std::span<const std::unique_ptr<Term::Store>> stores() const { return stores_; }
+
+ private:
+  const System::Parts& parts_;
+  int threads_;
+  std::vector<std::unique_ptr<Term::Store>> stores_;  // one for each term
+  Eigen::VectorXd free_;
+  int epoch_ = -1;
+  double mass_ = 0;
+};
+
+}  // namespace sim

@@ -1,0 +1,117 @@
+#include "sim/system.h"
+
+#include <Eigen/Geometry>
+
+#include "sim/build.h"
+#include "sim/parts.h"
+#include "sim/solve/linear_solver.h"
+#include "sim/stable_step.h"
+
+namespace sim {
+
+System::System(const Scene& scene, int threads) : parts_(build(scene, threads)) {}
+System::~System() = default;
+System::System(System&&) noexcept = default;
+
+int System::dimension() const { return parts_->D; }
+double System::step_seconds() const { return parts_->h(); }
+int System::steps_per_frame() const { return parts_->time.substeps; }
+double System::time(std::int64_t step) const { return parts_->t(step); }
+std::span<const BodyRange> System::bodies() const { return parts_->ranges; }
+std::vector<std::string> System::remarks() const { return parts_->remarks; }
+double System::stable_step() const { return sim::stable_step(*parts_); }
+std::vector<int> System::pinned_nodes(double t) const { return parts_->pins.nodes(t); }
+
+std::vector<TermInfo> System::terms() const {
+  std::vector<TermInfo> all;
+  for (const auto& term : parts_->terms) all.push_back(term->info());
+  return all;
+}
+
+Counts System::counts() const {
+  Counts c;
+  c.nodes = parts_->node_count;
+  for (const BodyRange& range : parts_->ranges) c.elements += range.element_count;
+  c.dofs = static_cast<int>(parts_->dofs());
+  Eigen::VectorXd free(parts_->dofs());
+  parts_->pins.mark(0, free);
+  c.free_dofs = static_cast<int>(free.sum());
+  if (parts_->pattern) c.nonzeros = static_cast<std::int64_t>(parts_->pattern->blocks()) * parts_->D * parts_->D;
+  // Vectors of the state and of the solver, the matrix with its factor (fill of about 12 times is usual for solids).
+  c.bytes = 40ll * 8 * c.dofs + 13ll * 12 * c.nonzeros;
+  for (const auto& term : parts_->elastic) c.bytes += term->bytes();
+  return c;
+}
+
+State System::initial_state() const {
+  State state;
+  state.x = parts_->X;
+  state.v.resize(parts_->dofs());
+  const int D = parts_->D;
+  for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {
+    const Body& body = parts_->bodies[b];
+    const Mass& mass = parts_->masses[b];
+    Vec3 centre = Vec3::Zero();
+    const auto place = [&](int node) {
+      Vec3 X = Vec3::Zero();
+      X.head(D) = state.x.segment(static_cast<Eigen::Index>(node) * D, D);
+      return X;
+    };
+    for (int i = 0; i < mass.nodal().size(); ++i) centre += mass.nodal()[i] / mass.total() * place(mass.first_node() + i);
+    const Vec3 omega = body.spin.rate * body.spin.axis.normalized();
+    for (int i = 0; i < mass.nodal().size(); ++i) {
+      const int node = mass.first_node() + i;
+      const Vec3 v = body.velocity + omega.cross(place(node) - centre);
+      state.v.segment(static_cast<Eigen::Index>(node) * D, D) = v.head(D);
+    }
+  }
+  parts_->pins.prescribe(0, state.x, state.v);
+  return state;
+}
+
+Measures System::measure(const State& state) const {
+  Measures m;
+  const int D = parts_->D;
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(parts_->dofs());
+  for (const Mass& mass : parts_->masses) mass.add_product(1, state.v, momentum, D);
+  m.kinetic = 0.5 * state.v.dot(momentum);
+  for (int node = 0; node < parts_->node_count; ++node) {
+    const Eigen::Index at = static_cast<Eigen::Index>(node) * D;
+    Vec3 x = Vec3::Zero(), p = Vec3::Zero();
+    x.head(D) = state.x.segment(at, D);
+    p.head(D) = momentum.segment(at, D);
+    m.p += p;
+    m.L += x.cross(p);
+  }
+  const Motion motion{state.x, state.v, time(state.step), 0};
+  for (const auto& term : parts_->terms) {
+    const auto store = term->make_store(parts_->threads);
+    const bool elastic = dynamic_cast<const ElasticTerm*>(term.get());
+    (elastic ? m.elastic : m.potential) += term->energy(motion, *store);
+  }
+  return m;
+}
+
+Vec3 System::probe_position(const State& state, int probe) const {
+  const ProbePlace& place = parts_->probes[probe];
+  Vec3 x = Vec3::Zero();
+  for (std::size_t a = 0; a < place.point.weights.size(); ++a) {
+    const int node = place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element);
+    x.head(parts_->D) += place.point.weights[a] * state.x.segment(static_cast<Eigen::Index>(node) * parts_->D, parts_->D);
+  }
+  return x;
+}
+
+Vec3 System::probe_displacement(const State& state, int probe) const {
+  State moved;
+  moved.x = state.x - parts_->X;
+  return probe_position(moved, probe);
+}
+
+Eigen::VectorXd System::node_values(const State& state, Quantity quantity) const {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(parts_->node_count), weights = sums;
+  for (const ElasticTerm* term : parts_->elastic) term->add_node_values(state.x, quantity, sums, weights);
+  return (weights.array() > 0).select(sums.array() / weights.array().max(1e-300), 0.0);
+}
+
+}  // namespace sim

@@ -1,0 +1,7 @@
+#include "sim/term/elastic_impl.h"
+
+namespace sim {
+
+template std::unique_ptr<ElasticTerm> make_elastic_of<Tet10, 3>(const ElasticInput&);
+
+}  // namespace sim

@@ -1,0 +1,64 @@
+// A term of the potential energy U(x): the one interface behind which every effect of a scene stands.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "sim/material/tangent.h"
+#include "sim/solve/block_matrix.h"
+#include "sim/system.h"
+
+namespace sim {
+
+// Where and when a term is evaluated. Inside a stage v = (x - x*)/(g h), so dv/dx = dv_dx.
+struct Motion {
+  const Eigen::VectorXd& x;  // m
+  const Eigen::VectorXd& v;  // m/s
+  double t = 0;              // s
+  double dv_dx = 0;          // 1/(g h) [1/s]; 0 where v does not follow x (explicit, static)
+};
+
+class Term {
+ public:
+  // The scratch of a term: its latest linearisation, and what it froze when the step began. One for each stepper.
+  struct Store {
+    virtual ~Store() = default;
+    int threads = 1;
+  };
+
+  virtual ~Term() = default;
+  virtual TermInfo info() const = 0;
+
+  virtual std::unique_ptr<Store> make_store(int threads) const {
+    auto store = std::make_unique<Store>();
+    store->threads = threads;
+    return store;
+  }
+  // Freezes what a term keeps fixed during a step (damping's tangent, friction's normal forces).
+  virtual void begin_step(const Motion& /*start*/, Store&) const {}
+
+  // U [J]; +infinity where the term does not allow x.
+  virtual double energy(const Motion& motion, Store& store) const = 0;
+  // f += -dU/dx [N]
+  virtual void add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const = 0;
+
+  // f += -dU/dx, and keeps K = d2U/dx2 (made definite) in the store for the two below.
+  virtual void linearise(const Motion& motion, Definiteness, Store& store, Eigen::VectorXd& f) const {
+    add_forces(motion, store, f);
+  }
+  // y += K p, without a matrix
+  virtual void add_product(const Store&, const Eigen::VectorXd& /*p*/, Eigen::VectorXd& /*y*/) const {}
+  // A += K
+  virtual void add_matrix(const Store&, BlockMatrix&) const {}
+  // d += diagonal of K
+  virtual void add_diagonal(const Store&, Eigen::VectorXd& /*d*/) const {}
+
+  // Which nodes K couples, and then where their blocks lie: called once while the system is built.
+  virtual void couple(Coupling&) const {}
+  virtual void bind(const BlockPattern&) {}
+
+  // The largest a <= 1 for which x + a dx is allowed.
+  virtual double largest_step(const Motion&, const Eigen::VectorXd& /*dx*/) const { return 1; }
+};
+
+}  // namespace sim

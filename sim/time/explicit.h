@@ -1,0 +1,29 @@
+// Steps an explicit scheme: forces and mass only, no matrix is formed.
+//   symplectic-euler      v_{n+1} = v_n + h M^{-1} f(x_n),  x_{n+1} = x_n + h v_{n+1}
+//   central-difference    v_{n+1/2} = v_n + h/2 M^{-1} f(x_n),  x_{n+1} = x_n + h v_{n+1/2},
+//                         v_{n+1} = v_{n+1/2} + h/2 M^{-1} f(x_{n+1})     [velocity Verlet]
+#pragma once
+
+#include "sim/solve/tangent_operator.h"
+#include "sim/stepper.h"
+#include "sim/time/mass_solve.h"
+
+namespace sim {
+
+class ExplicitStepper final : public Stepper {
+ public:
+  ExplicitStepper(const System::Parts& parts, int threads);
+  StepReport step(State& state) override;
+
+ private:
+  // v += s M^{-1} f on the free components
+  void kick(double s, const Eigen::VectorXd& f, Eigen::VectorXd& v, StepReport& report);
+
+  const System::Parts& parts_;
+  TangentOperator tangent_;
+  MassSolve mass_;
+  State next_;
+  Eigen::VectorXd a_;
+};
+
+}  // namespace sim

@@ -1,0 +1,12 @@
+// What every stepper does at the end of a step: nothing that is not finite leaves it.
+#pragma once
+
+#include "sim/report.h"
+#include "sim/solve/tangent_operator.h"
+
+namespace sim {
+
+// Measures the smallest J; false, with report.failure, when a number of the state is not finite.
+bool finish_step(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report);
+
+}  // namespace sim

@@ -1,0 +1,126 @@
+#include "sim/time/implicit.h"
+
+#include <cmath>
+
+#include "sim/solve/stopwatch.h"
+#include "sim/time/finish.h"
+
+namespace sim {
+
+ImplicitStepper::ImplicitStepper(const System::Parts& parts, int threads) : parts_(parts), newton_(parts, threads) {
+  for (Eigen::VectorXd* v : {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &force_})
+    v->resize(parts.dofs());
+}
+
+// Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight, whichever
+// has the lower potential; where the terms allow neither, x_n.
+void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme) {
+  const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
+  const auto place = [&] {
+    if (problem.gh != 0) x_ = x_star_ + problem.gh * v_;
+    parts_.pins.prescribe(problem.t, x_, v_);
+    return newton_.potential(problem, motion);
+  };
+  if (scheme.is_static || scheme.one_iteration) {
+    x_ = next_.x;
+    v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size())) : Eigen::VectorXd((x_ - x_star_) / problem.gh);
+    parts_.pins.prescribe(problem.t, x_, v_);
+    return;
+  }
+  v_ = v_start_;
+  double lowest = place();
+  if (next_.v_before.size() > 0) {
+    v_ = v_start_ + (problem.gh / parts_.h()) * (next_.v - next_.v_before);
+    const double carried_on = place();
+    if (carried_on < lowest) {
+      lowest = carried_on;
+    } else {
+      v_ = v_start_;
+      place();
+    }
+  }
+  if (std::isfinite(lowest)) return;
+  v_ = (next_.x - x_star_) / problem.gh;
+  place();
+}
+
+bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, const Motion& begin,
+                                 StepReport& report) {
+  const double h = parts_.h();
+  const Eigen::VectorXd* x[] = {&next_.x, &next_.x_before, &x_first_};
+  const Eigen::VectorXd* v[] = {&next_.v, &next_.v_before, &v_first_};
+  const Eigen::VectorXd* f[] = {&next_.force, nullptr, &force_first_};
+  x_star_.setZero();
+  v_start_.setZero();
+  impulse_.setZero();
+  for (int k = 0; k < source_count; ++k) {
+    if (stage.c[k] != 0) {
+      x_star_ += stage.c[k] * *x[k];
+      v_start_ += stage.c[k] * *v[k];
+    }
+    if (stage.d[k] != 0) {
+      x_star_ += (h * stage.d[k]) * *v[k];
+      impulse_ += (h * stage.d[k]) * *f[k];
+    }
+  }
+  const StageProblem problem{x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, begin.t + stage.end * h,
+                             scheme.one_iteration};
+  guess(problem, scheme);
+  if (!newton_.solve(problem, begin, x_, v_, next_.kept, report)) return false;
+  if (problem.gh != 0) {
+    // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
+    // the residual by the stiffness).
+    force_ = -impulse_;
+    x_star_ = v_ - v_start_;
+    for (const Mass& mass : parts_.masses) mass.add_product(1, x_star_, force_, parts_.D);
+    force_ /= problem.gh;
+  }
+  if (number == 0 && scheme.stages.size() > 1) {
+    x_first_ = x_;
+    v_first_ = v_;
+    force_first_ = force_;
+  }
+  return true;
+}
+
+bool ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t_end, StepReport& report) {
+  next_.x_before = begin.x;
+  next_.v_before = begin.v;
+  if (scheme.extrapolate) {
+    next_.x = 2 * x_ - next_.x_before;
+    next_.v = 2 * v_ - next_.v_before;
+  } else {
+    next_.x = x_;
+    next_.v = v_;
+  }
+  if (scheme.is_static) next_.v.setZero();
+  parts_.pins.prescribe(t_end, next_.x, next_.v);
+  next_.force = force_;
+  ++next_.step;
+  return finish_step(parts_, newton_.tangent(), next_, report);
+}
+
+StepReport ImplicitStepper::step(State& state) {
+  StepReport report;
+  report.step = state.step + 1;
+  Stopwatch watch(report.seconds);
+  const Scheme* scheme = parts_.scheme;
+  if (!scheme->first_step.empty() && state.x_before.size() == 0) scheme = find_scheme(scheme->first_step);
+  const double t = parts_.t(state.step), t_end = parts_.t(state.step + 1);
+  const bool released = parts_.pins.released(t_end) != parts_.pins.released(t);
+  next_ = state;
+  const Motion begin{state.x, state.v, t, 0};
+  if (released) next_.kept.valid = 0;
+  newton_.begin_step(begin, t_end, next_.kept);
+  if (next_.force.size() == 0 || released) {
+    next_.force.resize(parts_.dofs());
+    newton_.tangent().forces(begin, next_.force);
+    ++report.force_evaluations;
+  }
+  for (std::size_t k = 0; k < scheme->stages.size(); ++k)
+    if (!take_stage(*scheme, scheme->stages[k], static_cast<int>(k), begin, report)) return report;
+  if (finish(*scheme, begin, t_end, report)) std::swap(state, next_);
+  return report;
+}
+
+}  // namespace sim

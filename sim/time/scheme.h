@@ -1,0 +1,36 @@
+// Implicit schemes as rows of one table over one stage solver. [mathematics.md 7]
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace sim {
+
+// What a stage may start from: the state now, the one before, the first stage of this step.
+enum Source { now, before, first_stage, source_count };
+
+// A stage solves  x_s = x* + g h v_s,  M v_s = M v* + g h f(x_s)  with
+//   x* = sum_k c_k x_k + h sum_k d_k v_k,   M v* = sum_k c_k M v_k + h sum_k d_k f_k   over the sources k
+// at the time t_n + end h.
+struct Stage {
+  std::array<double, source_count> c, d;
+  double g;
+  double end;
+};
+
+struct Scheme {
+  std::string_view name;
+  int order;
+  std::span<const Stage> stages;      // empty: explicit
+  std::string_view first_step = {};   // a two-step scheme: the scheme that makes its first step
+  bool extrapolate = false;           // x_{n+1} = 2 x_s - x_n
+  bool one_iteration = false;         // exactly one Newton step
+  bool is_static = false;             // minimise U alone
+};
+
+// nullptr when there is no scheme of that name.
+const Scheme* find_scheme(std::string_view name);
+std::span<const Scheme> schemes();
+
+}  // namespace sim
