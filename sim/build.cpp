@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/element/element.h"
 #include "sim/mesh/order.h"
 #include "sim/solve/linear_solver.h"
 #include "sim/solve/newton.h"
 #include "sim/stable_step.h"
+#include "sim/mesh/boundary.h"
+#include "sim/term/damping.h"
 #include "sim/term/gravity.h"
+#include "sim/term/obstacle.h"
+#include "sim/term/spring.h"
+#include "sim/term/traction.h"
 
 namespace sim {
 
@@ -39,9 +45,22 @@ BodyRange range_of(const Body& body, const BodyRange* last) {
   return range;
 }
 
+// Linear simplices lock where the material hardly changes its volume: they bend too little. [Hughes 1987, 4.4]
+void warn_of_locking(System::Parts& parts, const Body& body) {
+  const ElementInfo& element = info(body.mesh.kind);
+  if (element.order != 1 || element.corners != element.dimension + 1 || element.dimension < parts.D) return;
+  for (const MaterialSpec& material : body.materials)
+    if (material.poisson >= 0.48)
+      parts.remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
+                              ") and Poisson's ratio " + std::to_string(material.poisson) +
+                              " >= 0.48: it will bend too little; use element = \"" +
+                              (element.dimension == 3 ? "tet10" : "tri6") + "\"");
+}
+
 void add_body(System::Parts& parts, std::size_t b) {
   const Body& body = parts.bodies[b];
   const BodyRange& range = parts.ranges[b];
+  warn_of_locking(parts, body);
   const std::vector<int> material = material_of_elements(body, b);
   std::vector<double> density(material.size());
   for (std::size_t e = 0; e < material.size(); ++e) density[e] = body.materials[material[e]].density;
@@ -55,6 +74,7 @@ void add_body(System::Parts& parts, std::size_t b) {
     auto term = make_elastic(input, parts.D);
     parts.elastic.push_back(term.get());
     parts.elastic_body.push_back(static_cast<int>(b));
+    parts.energy_scale += body.materials[m].young * term->volume();
     parts.terms.push_back(std::move(term));
   }
   for (std::size_t k = 0; k < body.pins.size(); ++k) {
@@ -80,17 +100,69 @@ void place_nodes(System::Parts& parts) {
   }
 }
 
-void place_probes(System::Parts& parts, const std::vector<Probe>& probes) {
-  for (std::size_t k = 0; k < probes.size(); ++k) {
-    const Probe& probe = probes[k];
-    const auto range = std::find_if(parts.ranges.begin(), parts.ranges.end(),
-                                    [&](const BodyRange& r) { return r.name == probe.body; });
-    if (range == parts.ranges.end())
-      throw InputError(key_of("probe", k) + ".body", "\"" + probe.body + "\" is not the name of a body");
-    const auto point = locate(*range->mesh, probe.at);
-    if (!point)
-      throw InputError(key_of("probe", k) + ".at", "the point is outside the body \"" + probe.body + "\"");
-    parts.probes.push_back({range->first_node, range->mesh, *point});
+void add_loads(System::Parts& parts, std::size_t b) {
+  const Body& body = parts.bodies[b];
+  for (std::size_t k = 0; k < body.tractions.size(); ++k) {
+    const Eigen::MatrixXi facets = facets_in(body.mesh, body.tractions[k].where);
+    if (facets.cols() == 0)
+      throw InputError(key_of("body", b) + "." + key_of("traction", k),
+                       "no boundary facet of \"" + body.name + "\" is in this region");
+    parts.terms.push_back(std::make_unique<TractionLoad>(body, body.tractions[k], facets, parts.ranges[b].first_node,
+                                                         parts.X, parts.D));
+  }
+  if (body.damping.alpha == 0 && body.damping.beta == 0) return;
+  std::vector<const ElasticTerm*> own;
+  for (std::size_t e = 0; e < parts.elastic.size(); ++e)
+    if (parts.elastic_body[e] == static_cast<int>(b)) own.push_back(parts.elastic[e]);
+  parts.terms.push_back(std::make_unique<RayleighDamping>(body, parts.masses[b], std::move(own), parts.D));
+}
+
+// Barriers begin at a thousandth of the smallest body, friction is fully grown at a thousandth of it a second.
+// kappa_i = E A_i/size: the stiffness of a column of the body under the node's share A_i of the surface.
+void add_obstacles(System::Parts& parts, const std::vector<Obstacle>& obstacles) {
+  if (obstacles.empty()) return;
+  constexpr double thousandth = 1e-3;
+  std::vector<ObstacleTerm::Contact> contacts;
+  double size = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < parts.bodies.size(); ++b) {
+    const Eigen::MatrixXi facets = surface_facets(parts.bodies[b].mesh);
+    std::vector<int> nodes(facets.data(), facets.data() + facets.size());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const double L = parts.ranges[b].size, area = L * L / static_cast<double>(nodes.size());
+    for (const int node : nodes)
+      contacts.push_back({parts.ranges[b].first_node + node, parts.bodies[b].materials[0].young * area / L});
+    size = std::min(size, L);
+  }
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    auto term = std::make_unique<ObstacleTerm>(obstacles[k], contacts, thousandth * size, thousandth * size, parts.D);
+    for (const ObstacleTerm::Contact& contact : contacts) {
+      Vec3 x = Vec3::Zero(), normal;
+      x.head(parts.D) = parts.X.segment(static_cast<Eigen::Index>(contact.node) * parts.D, parts.D);
+      if (!(term->distance(x, normal) > 0))
+        throw InputError(key_of("obstacle", k), "a body starts inside this obstacle");
+    }
+    parts.terms.push_back(std::move(term));
+  }
+}
+
+// The body and the material point that a key names.
+ProbePlace find_point(const System::Parts& parts, const std::string& key, const std::string& body, const Vec3& at) {
+  const auto range =
+      std::find_if(parts.ranges.begin(), parts.ranges.end(), [&](const BodyRange& r) { return r.name == body; });
+  if (range == parts.ranges.end()) throw InputError(key + ".body", "\"" + body + "\" is not the name of a body");
+  const auto point = locate(*range->mesh, at);
+  if (!point) throw InputError(key + ".at", "the point is outside the body \"" + body + "\"");
+  return {range->first_node, range->mesh, *point};
+}
+
+void add_springs(System::Parts& parts, const std::vector<Spring>& springs) {
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    const ProbePlace place = find_point(parts, key_of("spring", k), springs[k].body, springs[k].at);
+    std::vector<int> nodes;
+    for (std::size_t a = 0; a < place.point.weights.size(); ++a)
+      nodes.push_back(place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element));
+    parts.terms.push_back(std::make_unique<SpringTerm>(springs[k], nodes, place.point.weights, parts.D));
   }
 }
 
@@ -137,7 +209,11 @@ std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
   for (std::size_t b = 0; b < parts->bodies.size(); ++b) add_body(*parts, b);
   if (scene.world.gravity.head(parts->D).norm() > 0)
     parts->terms.push_back(std::make_unique<Gravity>(scene.world.gravity, parts->masses, parts->X, parts->D));
-  place_probes(*parts, scene.probes);
+  for (std::size_t b = 0; b < parts->bodies.size(); ++b) add_loads(*parts, b);
+  add_obstacles(*parts, scene.obstacles);
+  add_springs(*parts, scene.springs);
+  for (std::size_t k = 0; k < scene.probes.size(); ++k)
+    parts->probes.push_back(find_point(*parts, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
   settle_substeps(*parts);
   form_pattern(*parts);
   return parts;

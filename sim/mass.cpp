@@ -8,15 +8,15 @@ namespace sim {
 namespace {
 
 // m_ij = sum_q w rho N_i N_j over one element.
-template <class Element>
+template <class Element, int D>
 Eigen::Matrix<double, Element::nodes, Element::nodes> element_mass(const Mesh& mesh, int e, double rho, double thickness) {
-  const ElementX<Element> X_e = gather<Element>(mesh.X, mesh.elements.col(e).data());
+  const auto X_e = gather<Element, D>(mesh.X, mesh.elements.col(e).data());
   Eigen::Matrix<double, Element::nodes, Element::nodes> m;
   m.setZero();
   for (const auto& q : Element::mass_rule) {
     const auto N_array = Element::N(q.xi);
     const Eigen::Map<const Eigen::Matrix<double, Element::nodes, 1>> N(N_array.data());
-    const double measure = std::abs(measure_ratio<Element>(jacobian<Element>(X_e, q.xi)));
+    const double measure = std::abs(measure_ratio(jacobian<Element>(X_e, q.xi)));
     m += (q.weight * measure * (Element::dimension == 3 ? 1 : thickness) * rho) * N * N.transpose();
   }
   return m;
@@ -32,9 +32,9 @@ Eigen::Matrix<double, Element::nodes, 1> lump(const Eigen::Matrix<double, Elemen
 
 template <class F>
 void for_each_element_mass(const Body& body, const std::vector<double>& density, const F& f) {
-  visit_element(body.mesh.kind, [&]<class Element>(std::type_identity<Element>) {
+  visit_mesh(body.mesh, [&]<class Element, int D>(std::type_identity<Element>, std::integral_constant<int, D>) {
     for (int e = 0; e < body.mesh.element_count(); ++e)
-      f(body.mesh.elements.col(e), element_mass<Element>(body.mesh, e, density[e], body.thickness),
+      f(body.mesh.elements.col(e), element_mass<Element, D>(body.mesh, e, density[e], body.thickness),
         [](const auto& m) { return lump<Element>(m); });
   });
 }

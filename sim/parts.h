@@ -39,6 +39,7 @@ struct System::Parts {
   std::optional<BlockPattern> pattern;         // only where a solver forms a matrix
   Pins pins;
   std::vector<ProbePlace> probes;
+  double energy_scale = 0;     // J: Young's modulus times volume, all bodies; round-off of U is relative to it
   std::vector<std::string> remarks;
 
   Eigen::Index dofs() const { return static_cast<Eigen::Index>(node_count) * D; }

@@ -114,6 +114,14 @@ struct Obstacle {
   double friction = 0;                         // Coulomb coefficient
 };
 
+// A spring from a material point to a place in space.
+struct Spring {
+  std::string body;
+  Vec3 at = {0, 0, 0};                         // material point, m
+  Vec3 target = {0, 0, 0};                     // m
+  double stiffness = 0;                        // N/m
+};
+
 struct Probe {
   std::string name, body;
   Vec3 at = {0, 0, 0};                         // material point, m
@@ -126,6 +134,7 @@ struct Scene {
   World world;
   std::vector<Body> bodies;
   std::vector<Obstacle> obstacles;
+  std::vector<Spring> springs;
   std::vector<Probe> probes;
 };
 

@@ -43,22 +43,28 @@ void jacobi_rotation(const T& app, const T& aqq, const T& apq, T& c, T& s) {
   s = c * t;
 }
 
-// Makes the columns of B orthogonal, V collects the rotations. At most 8 sweeps; 3 x 3 needs four as a rule.
+// Columns of B are orthogonal to 1e-14 of their lengths.
+template <class T, int D, int M>
+bool columns_orthogonal(const Mat<T, D, M>& B) {
+  for (int p = 0; p < M - 1; ++p)
+    for (int q = p + 1; q < M; ++q) {
+      const T apq = dot_columns(B, p, q);
+      if (!all(apq * apq <= T(1e-28) * dot_columns(B, p, p) * dot_columns(B, q, q))) return false;
+    }
+  return true;
+}
+
+// Makes the columns of B orthogonal, V collects the rotations. Three or four sweeps as a rule, at most 8.
 template <class T, int D, int M>
 void orthogonalise_columns(Mat<T, D, M>& B, Mat<T, M, M>& V) {
-  for (int sweep = 0; sweep < 8; ++sweep) {
-    bool done = true;
+  for (int sweep = 0; sweep < 8 && !columns_orthogonal(B); ++sweep)
     for (int p = 0; p < M - 1; ++p)
       for (int q = p + 1; q < M; ++q) {
-        const T app = dot_columns(B, p, p), aqq = dot_columns(B, q, q), apq = dot_columns(B, p, q);
-        done = done && all(apq * apq <= T(1e-31) * app * aqq);
         T c, s;
-        jacobi_rotation(app, aqq, apq, c, s);
+        jacobi_rotation(dot_columns(B, p, p), dot_columns(B, q, q), dot_columns(B, p, q), c, s);
         rotate_columns(B, p, q, c, s);
         rotate_columns(V, p, q, c, s);
       }
-    if (done) break;
-  }
 }
 
 // Sorts the columns of B by falling length; a swap negates one column so that det V stays +1.

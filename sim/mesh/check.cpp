@@ -97,15 +97,16 @@ void drop_unused_nodes(Mesh& mesh, MeshCheck& report) {
 }
 
 // Nodal positions less the first one: differences of coordinates are exact where nodes nearly coincide.
-template <class E>
-ElementX<E> from_first_node(const Mesh& mesh, int e) {
-  ElementX<E> X_e = gather<E>(mesh.X, mesh.elements.col(e).data());
-  X_e.colwise() -= Position(X_e.col(0));
+template <class E, int D>
+ElementX<E, D> from_first_node(const Mesh& mesh, int e) {
+  ElementX<E, D> X_e = gather<E, D>(mesh.X, mesh.elements.col(e).data());
+  const Position<D> first = X_e.col(0);
+  for (int i = 0; i < E::nodes; ++i) X_e.col(i) -= first;
   return X_e;
 }
 
-template <class E>
-double longest_edge(const ElementX<E>& X_e) {
+template <class E, int D>
+double longest_edge(const Eigen::Matrix<double, D, E::nodes>& X_e) {
   double longest = 0;
   for (const auto& [a, b, middle] : E::edges) longest = std::max(longest, (X_e.col(a) - X_e.col(b)).norm());
   return longest;
@@ -113,13 +114,13 @@ double longest_edge(const ElementX<E>& X_e) {
 
 // det dX/dxi must be positive wherever it is used, and at the corners, where the folds of a quad, a hex or a curved
 // element begin.
-template <class E>
+template <class E, int D>
 void check_folds(const Mesh& mesh, int e, double smallest) {
-  const ElementX<E> X_e = from_first_node<E>(mesh, e);
+  const ElementX<E, D> X_e = from_first_node<E, D>(mesh, e);
   const auto require_positive = [&](const std::array<double, E::dimension>& xi) {
-    const double ratio = measure_ratio<E>(jacobian<E>(X_e, xi));
+    const double ratio = measure_ratio(jacobian<E>(X_e, xi));
     if (ratio > smallest) return;
-    const Position at = mesh.X.col(mesh.elements(0, e)) + position<E>(X_e, xi);
+    const Position<D> at = mesh.X.col(mesh.elements(0, e)) + position<E>(X_e, xi);
     refuse("element ", e, " (", E::name, ") is folded: det dX/dxi = ", ratio, " at (", at.transpose(),
            "); its nodes are out of order or too far off their edges");
   };
@@ -128,10 +129,10 @@ void check_folds(const Mesh& mesh, int e, double smallest) {
   for (const auto& point : E::mass_rule) require_positive(point.xi);
 }
 
-template <class E>
+template <class E, int D>
 void orient(Mesh& mesh, MeshCheck& report) {
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const ElementX<E> X_e = from_first_node<E>(mesh, e);
+    const ElementX<E, D> X_e = from_first_node<E, D>(mesh, e);
     const double longest = longest_edge<E>(X_e), smallest = 1e-14 * std::pow(longest, E::dimension);
     const double m = measure<E>(X_e, E::mass_rule);
     if (!(std::abs(m) > smallest)) {
@@ -144,7 +145,7 @@ void orient(Mesh& mesh, MeshCheck& report) {
       for (int i = 0; i < E::nodes; ++i) mesh.elements(i, e) = nodes[E::mirrored[i]];
       ++report.reoriented;
     }
-    check_folds<E>(mesh, e, smallest);
+    check_folds<E, D>(mesh, e, smallest);
   }
 }
 
@@ -155,7 +156,8 @@ MeshCheck check_and_orient(Mesh& mesh) {
   check_indices(mesh);
   check_finite(mesh);
   MeshCheck report;
-  visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) { orient<E>(mesh, report); });
+  visit_mesh(
+      mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) { orient<E, D>(mesh, report); });
   drop_unused_nodes(mesh, report);  // last, so that the messages above have the numbers of the input
   return report;
 }

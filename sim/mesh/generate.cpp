@@ -77,7 +77,11 @@ Eigen::MatrixXd nodes(const Lattice& lattice) {
   Eigen::Index n = 0;
   for (const double z : x[2]) {
     for (const double y : x[1]) {
-      for (const double x0 : x[0]) X.col(n++) = Vec3(x0, y, z).head(d);
+      for (const double x0 : x[0]) {
+        const std::array<double, 3> at = {x0, y, z};
+        for (int a = 0; a < d; ++a) X(a, n) = at[a];
+        ++n;
+      }
     }
   }
   return X;

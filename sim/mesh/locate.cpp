@@ -30,14 +30,14 @@ std::array<double, E::dimension> clamped(std::array<double, E::dimension> xi) {
 // Newton on X(xi) = X (Gauss-Newton on a surface in space): dX/dxi dxi = X - X(xi), from the centroid. Steps are cut to
 // length 1, the size of the reference element. Convergence is quadratic: after a step below 1e-9 only rounding is left,
 // and 30 steps are plenty where the point is inside.
-template <class E>
-std::array<double, E::dimension> inverse_map(const ElementX<E>& X_e, const Position& X) {
+template <class E, int D>
+std::array<double, E::dimension> inverse_map(const Eigen::Matrix<double, D, E::nodes>& X_e, const Position<D>& X) {
   std::array<double, E::dimension> xi{};
   for (const auto& corner : E::corner_xi) {
     for (int k = 0; k < E::dimension; ++k) xi[k] += corner[k] / E::corners;
   }
   for (int iteration = 0; iteration < 30; ++iteration) {
-    const Position r = X - position<E>(X_e, xi);
+    const Position<D> r = X - position<E>(X_e, xi);
     const Eigen::Matrix<double, E::dimension, 1> step = jacobian<E>(X_e, xi).colPivHouseholderQr().solve(r);
     const double length = step.norm(), cut = std::max(1.0, length);
     for (int k = 0; k < E::dimension; ++k) xi[k] += step[k] / cut;
@@ -47,21 +47,21 @@ std::array<double, E::dimension> inverse_map(const ElementX<E>& X_e, const Posit
 }
 
 // Outside the element's box, widened by the tolerance and, for curved elements, by how far they may bulge out of it.
-template <class E>
-bool outside_box(const ElementX<E>& X_e, const Position& X, double near) {
-  const Position low = X_e.rowwise().minCoeff(), high = X_e.rowwise().maxCoeff();
+template <class E, int D>
+bool outside_box(const Eigen::Matrix<double, D, E::nodes>& X_e, const Position<D>& X, double near) {
+  const Position<D> low = X_e.rowwise().minCoeff(), high = X_e.rowwise().maxCoeff();
   const double wide = near + (E::order == 2 ? 0.5 * (high - low).maxCoeff() : 0.0);
   return (X.array() < low.array() - wide).any() || (X.array() > high.array() + wide).any();
 }
 
 // The nearest element within the tolerance; the search ends at the first that holds the point to rounding.
-template <class E>
-std::optional<MaterialPoint> locate_in(const Mesh& mesh, const Position& X) {
+template <class E, int D>
+std::optional<MaterialPoint> locate_in(const Mesh& mesh, const Position<D>& X) {
   const double size = bounding_size(mesh.X), exact = 1e-14 * size;
   double nearest = tolerance * size;
   std::optional<MaterialPoint> found;
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const ElementX<E> X_e = gather<E>(mesh.X, mesh.elements.col(e).data());
+    const ElementX<E, D> X_e = gather<E, D>(mesh.X, mesh.elements.col(e).data());
     if (outside_box<E>(X_e, X, tolerance * size)) continue;
     const auto xi = clamped<E>(inverse_map<E>(X_e, X));
     const double distance = (X - position<E>(X_e, xi)).norm();
@@ -101,8 +101,9 @@ std::vector<char> inside(const Mesh& mesh, const Region& region) {
 }  // namespace
 
 std::optional<MaterialPoint> locate(const Mesh& mesh, const Vec3& X) {
-  const Position at = X.head(mesh.dimension());
-  return visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) { return locate_in<E>(mesh, at); });
+  return visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
+    return locate_in<E, D>(mesh, X.head<D>());
+  });
 }
 
 const Group& find_group(const Mesh& mesh, const std::string& name) {

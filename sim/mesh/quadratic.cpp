@@ -1,5 +1,7 @@
 #include "sim/mesh/quadratic.h"
 
+#include <optional>
+
 #include "sim/element/list.h"
 #include "sim/mesh/subdivide.h"
 
@@ -8,8 +10,8 @@ namespace {
 
 // One child that fills its parent and has more nodes.
 struct SameCell {
-  template <class Parent, class Child>
-  std::array<ChildXi<Child>, 1> operator()(const ElementX<Parent>&) const {
+  template <class Parent, class Child, int D>
+  std::array<ChildXi<Child>, 1> operator()(const ElementX<Parent, D>&) const {
     return {node_xi<Child>()};
   }
 };
@@ -18,20 +20,19 @@ struct SameCell {
 
 Mesh to_quadratic(const Mesh& mesh) {
   if (info(mesh.kind).order == 2) return mesh;
-  Mesh quadratic;
-  bool found = false;
+  std::optional<Mesh> quadratic;
   for_each_type(Elements{}, [&]<class E>(std::type_identity<E>) {
     if constexpr (E::order == 2) {
       if (E::Linear::kind != mesh.kind) return;
-      quadratic = subdivide<typename E::Linear, E>(mesh, SameCell{});
-      found = true;
+      quadratic = mesh.dimension() == E::dimension ? subdivide<typename E::Linear, E, E::dimension>(mesh, SameCell{})
+                                                   : subdivide<typename E::Linear, E, 3>(mesh, SameCell{});
     }
   });
-  if (!found) {
+  if (!quadratic) {
     throw InputError("mesh.element",
                      std::string(info(mesh.kind).name) + " has no quadratic form here; take tri3 or tet4");
   }
-  return quadratic;
+  return *quadratic;
 }
 
 }  // namespace sim

@@ -28,8 +28,8 @@ std::array<int, 6> shortest_diagonal(const X_e& X) {
 }
 
 struct Halve {
-  template <class Parent, class Child>
-  std::vector<ChildXi<Child>> operator()(const ElementX<Parent>& X_e) const {
+  template <class Parent, class Child, int D>
+  std::vector<ChildXi<Child>> operator()([[maybe_unused]] const ElementX<Parent, D>& X_e) const {
     constexpr int d = Parent::dimension;
     std::vector<ChildXi<Child>> children;
     // At corner c: the parent shrunk by half towards it.
@@ -65,7 +65,9 @@ struct Halve {
 }  // namespace
 
 Mesh refine(const Mesh& mesh) {
-  return visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) { return subdivide<E, E>(mesh, Halve{}); });
+  return visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
+    return subdivide<E, E, D>(mesh, Halve{});
+  });
 }
 
 }  // namespace sim

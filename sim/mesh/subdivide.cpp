@@ -21,7 +21,7 @@ int PointTable::find(const PointKey& key) const {
   return it == numbers_.end() ? -1 : it->second;
 }
 
-int PointTable::add(const PointKey& key, const Position& X) {
+int PointTable::add(const PointKey& key, const Vec3& X) {
   const int number = size();
   numbers_.emplace(key, number);
   added_.push_back(X);
@@ -32,7 +32,9 @@ int PointTable::add(const PointKey& key, const Position& X) {
 Eigen::MatrixXd PointTable::positions(const Eigen::MatrixXd& coarse) const {
   Eigen::MatrixXd X(coarse.rows(), size());
   X.leftCols(coarse_) = coarse;
-  for (std::size_t i = 0; i < added_.size(); ++i) X.col(coarse_ + static_cast<Eigen::Index>(i)) = added_[i];
+  for (std::size_t i = 0; i < added_.size(); ++i) {
+    for (Eigen::Index r = 0; r < X.rows(); ++r) X(r, coarse_ + static_cast<Eigen::Index>(i)) = added_[i][r];
+  }
   return X;
 }
 

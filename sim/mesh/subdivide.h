@@ -69,7 +69,7 @@ class PointTable {
   void name(const PointKey& key, int node) { numbers_.try_emplace(key, node); }
   // -1 when there is none.
   int find(const PointKey& key) const;
-  int add(const PointKey& key, const Position& X);
+  int add(const PointKey& key, const Vec3& X);  // the third number is not used in the plane
   int size() const { return coarse_ + static_cast<int>(added_.size()); }
   int coarse_size() const { return coarse_; }
   // Key of an added node, counted from coarse_size().
@@ -83,20 +83,20 @@ class PointTable {
   };
   int coarse_;
   std::unordered_map<PointKey, int, Hash> numbers_;
-  std::vector<Position> added_;
+  std::vector<Vec3> added_;
   std::vector<PointKey> keys_;
 };
 
 // Splits cells (elements or facets): nodes per child x children, in the order of the parents.
-// split.operator()<Parent, Child>(X_e) returns the children of one parent, a list of ChildXi<Child>.
-template <class Parent, class Child, class Split>
+// split.operator()<Parent, Child, D>(X_e) returns the children of one parent, a list of ChildXi<Child>.
+template <class Parent, class Child, int D, class Split>
 Eigen::MatrixXi split_cells(const Eigen::MatrixXd& X, const Eigen::MatrixXi& cells, const Split& split,
                             PointTable& points) {
   Eigen::MatrixXi fine(Child::nodes, 0);
   for (Eigen::Index e = 0; e < cells.cols(); ++e) {
     const int* nodes = cells.data() + e * Parent::nodes;
-    const ElementX<Parent> X_e = gather<Parent>(X, nodes);
-    const auto children = split.template operator()<Parent, Child>(X_e);
+    const ElementX<Parent, D> X_e = gather<Parent, D>(X, nodes);
+    const auto children = split.template operator()<Parent, Child, D>(X_e);
     const auto per_cell = static_cast<Eigen::Index>(children.size());
     if (e == 0) {
       if (static_cast<double>(per_cell) * cells.cols() * Child::nodes > std::numeric_limits<int>::max()) {
@@ -108,7 +108,13 @@ Eigen::MatrixXi split_cells(const Eigen::MatrixXd& X, const Eigen::MatrixXi& cel
       for (int i = 0; i < Child::nodes; ++i) {
         const PointKey key = point_key<Parent>(nodes, children[c][i]);
         const int found = points.find(key);
-        fine(i, e * per_cell + c) = found >= 0 ? found : points.add(key, position<Parent>(X_e, children[c][i]));
+        if (found >= 0) {
+          fine(i, e * per_cell + c) = found;
+          continue;
+        }
+        Vec3 X_new = Vec3::Zero();
+        X_new.template head<D>() = position<Parent>(X_e, children[c][i]);
+        fine(i, e * per_cell + c) = points.add(key, X_new);
       }
     }
   }
@@ -120,7 +126,7 @@ Eigen::MatrixXi split_cells(const Eigen::MatrixXd& X, const Eigen::MatrixXi& cel
 Group finer_group(const Group& coarse, Eigen::MatrixXi facets, const Eigen::MatrixXi& elements, int per_element,
                   const PointTable& points);
 
-template <class Parent, class Child, class Split>
+template <class Parent, class Child, int D, class Split>
 Mesh subdivide(const Mesh& mesh, const Split& split) {
   PointTable points(mesh.X);
   const auto own = node_xi<Parent>();
@@ -130,11 +136,11 @@ Mesh subdivide(const Mesh& mesh, const Split& split) {
   }
   Mesh fine;
   fine.kind = Child::kind;
-  fine.elements = split_cells<Parent, Child>(mesh.X, mesh.elements, split, points);
+  fine.elements = split_cells<Parent, Child, D>(mesh.X, mesh.elements, split, points);
   const int per_element = static_cast<int>(fine.elements.cols() / std::max(1, mesh.element_count()));
   const int size = points.size();
   for (const Group& group : mesh.groups) {
-    auto facets = split_cells<typename Parent::Facet, typename Child::Facet>(mesh.X, group.facets, split, points);
+    auto facets = split_cells<typename Parent::Facet, typename Child::Facet, D>(mesh.X, group.facets, split, points);
     if (points.size() != size)
       throw InputError("mesh", "a facet of group \"" + group.name + "\" is not one of the mesh");
     fine.groups.push_back(finer_group(group, std::move(facets), fine.elements, per_element, points));

@@ -12,7 +12,7 @@ constexpr double linear_tolerance = 1e-3;      // |residual of the linear solve|
 constexpr double armijo = 1e-4;                // share of the predicted decrease that a step must give
 constexpr int most_halvings = 40;
 constexpr double step_share = 0.9;             // of the largest step that a term allows
-constexpr double energy_noise = 1e-13;         // relative round-off of the stage's potential
+constexpr double energy_noise = 1e-14;         // round-off of the stage's potential, relative to its parts
 
 }  // namespace
 
@@ -113,7 +113,7 @@ double Newton::line_search(const StageProblem& stage, const Motion& motion, Eige
   double a = limit < 1 ? step_share * limit : 1;
   x_from_ = x;
   v_from_ = v;
-  const double noise = energy_noise * (std::abs(before) + std::abs(slope));
+  const double noise = energy_noise * (parts_.energy_scale + 10 * std::abs(before));
   for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
     move(stage, a, x, v);
     const double after = potential(stage, motion);
@@ -129,8 +129,10 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
   const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
   const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
   const int most = stage.one_iteration ? 1 : parts_.solver.max_iterations;
+  // A single iteration has no later one to mend what its linear solve left.
+  const double linear = stage.one_iteration ? std::min(1e-6, parts_.solver.tolerance) : linear_tolerance;
   for (int k = 0; k < most; ++k) {
-    if (!direction(stage, motion, begin, linear_tolerance, kept, report)) {
+    if (!direction(stage, motion, begin, linear, kept, report)) {
       report.failure = "the forces or the Newton direction are not finite";
       return false;
     }

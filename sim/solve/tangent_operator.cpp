@@ -37,21 +37,21 @@ double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd
 void TangentOperator::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
   y.setZero();
   for (const Mass& mass : parts_.masses) mass.add_product(mass_, p, y, parts_.D);
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_product(*stores_[k], p, y);
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_product(*stores_[k], 1, p, y);
   y.array() *= free_.array();
 }
 
 void TangentOperator::diagonal(Eigen::VectorXd& d) const {
   d.setZero();
   for (const Mass& mass : parts_.masses) mass.add_diagonal(mass_, d, parts_.D);
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_diagonal(*stores_[k], d);
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_diagonal(*stores_[k], 1, d);
   d.array() = d.array() * free_.array() + (1 - free_.array());
 }
 
 void TangentOperator::assemble(BlockMatrix& A) const {
   A.set_zero();
   for (const Mass& mass : parts_.masses) mass.add_matrix(mass_, A);
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_matrix(*stores_[k], A);
+  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_matrix(*stores_[k], 1, A);
 }
 
 }  // namespace sim

@@ -21,6 +21,8 @@ class ElasticTerm : public Term {
   // For the node values of a quantity: at each node of an element sums += w value, weights += w (numbers of the system).
   virtual void add_node_values(const Eigen::VectorXd& x, Quantity quantity, Eigen::VectorXd& sums,
                                Eigen::VectorXd& weights) const = 0;
+  // Rest volume [m^3].
+  virtual double volume() const = 0;
   // Memory of the element data and of one linearisation.
   virtual std::int64_t bytes() const = 0;
 };

@@ -45,7 +45,7 @@ class ElasticBlock : public ElasticTerm {
   void bind(const BlockPattern& pattern) override { elements_.bind(pattern); }
 
   // df = w dP G^T, dP = (dP/dF) (dx_e G)
-  void add_product(const Store& store, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override {
+  void add_product(const Store& store, double scale, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override {
     const Tangents& s = own(store);
     elements_.chunks->for_each_batch(s.threads, [&](int batch) {
       Lanes dx[N - 1][D], df[N - 1][D] = {};
@@ -53,22 +53,22 @@ class ElasticBlock : public ElasticTerm {
       for (int q = 0; q < Q; ++q) {
         const Lanes* G = elements_.G(batch, q);
         const Mat<Lanes, D, M> dP = apply(s.tangent[batch * Q + q], Elements::deformation(dx, G));
-        Elements::accumulate(dP, G, elements_.w(batch, q), df);
+        Elements::accumulate(dP, G, Lanes(scale) * elements_.w(batch, q), df);
       }
       elements_.scatter(batch, df, y.data());
     });
   }
 
-  void add_matrix(const Store& store, BlockMatrix& A) const override {
+  void add_matrix(const Store& store, double scale, BlockMatrix& A) const override {
     const Tangents& s = own(store);
-    elements_.chunks->for_each_batch(s.threads, [&](int batch) { add_batch(s, batch, A); });
+    elements_.chunks->for_each_batch(s.threads, [&](int batch) { add_batch(s, scale, batch, A); });
   }
 
-  void add_diagonal(const Store& store, Eigen::VectorXd& d) const override {
+  void add_diagonal(const Store& store, double scale, Eigen::VectorXd& d) const override {
     const Tangents& s = own(store);
     elements_.chunks->for_each_batch(s.threads, [&](int batch) {
       Mat<Lanes, D, D> K[N][N];
-      stiffness(s, batch, K);
+      stiffness(s, scale, batch, K);
       const int* n = elements_.nodes(batch);
       const int lanes = elements_.lanes_in(batch);
       for (int a = 0; a < N; ++a)
@@ -77,6 +77,12 @@ class ElasticBlock : public ElasticTerm {
     });
   }
 
+  double volume() const override {
+    double sum = 0;
+    for (const Lanes& w : elements_.weight)
+      for (int k = 0; k < lane_count; ++k) sum += w[k];
+    return sum;
+  }
   std::int64_t bytes() const override {
     const std::size_t points = elements_.weight.size();
     return static_cast<std::int64_t>(points * (sizeof(Point) + ((N - 1) * M + 1) * sizeof(Lanes)) +
@@ -106,12 +112,12 @@ class ElasticBlock : public ElasticTerm {
 
  private:
   // K_ab = sum_q w G_a (dP/dF) G_b; the row and column of node 0 follow from sum_a G_a = 0. Only a <= b is filled.
-  void stiffness(const Tangents& s, int batch, Mat<Lanes, D, D> (&K)[N][N]) const {
+  void stiffness(const Tangents& s, double scale, int batch, Mat<Lanes, D, D> (&K)[N][N]) const {
     for (int a = 1; a < N; ++a)
       for (int b = a; b < N; ++b) K[a][b] = Mat<Lanes, D, D>::zero();
     for (int q = 0; q < Q; ++q) {
       const Point& t = s.tangent[batch * Q + q];
-      const Lanes *G = elements_.G(batch, q), w = elements_.w(batch, q);
+      const Lanes *G = elements_.G(batch, q), w = Lanes(scale) * elements_.w(batch, q);
       Lanes r[N][M], wr[N][M];  // V^T G, and w times it
       for (int a = 1; a < N; ++a)
         for (int m = 0; m < M; ++m) {
@@ -132,9 +138,9 @@ class ElasticBlock : public ElasticTerm {
     }
   }
 
-  void add_batch(const Tangents& s, int batch, BlockMatrix& A) const {
+  void add_batch(const Tangents& s, double scale, int batch, BlockMatrix& A) const {
     Mat<Lanes, D, D> K[N][N];
-    stiffness(s, batch, K);
+    stiffness(s, scale, batch, K);
     const int lanes = elements_.lanes_in(batch);
     const int* slot = elements_.slot.data() + static_cast<std::size_t>(batch) * lane_count * N * N;
     for (int k = 0; k < lanes; ++k, slot += N * N)

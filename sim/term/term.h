@@ -46,12 +46,12 @@ class Term {
   virtual void linearise(const Motion& motion, Definiteness, Store& store, Eigen::VectorXd& f) const {
     add_forces(motion, store, f);
   }
-  // y += K p, without a matrix
-  virtual void add_product(const Store&, const Eigen::VectorXd& /*p*/, Eigen::VectorXd& /*y*/) const {}
-  // A += K
-  virtual void add_matrix(const Store&, BlockMatrix&) const {}
-  // d += diagonal of K
-  virtual void add_diagonal(const Store&, Eigen::VectorXd& /*d*/) const {}
+  // y += s K p, without a matrix
+  virtual void add_product(const Store&, double /*s*/, const Eigen::VectorXd& /*p*/, Eigen::VectorXd& /*y*/) const {}
+  // A += s K
+  virtual void add_matrix(const Store&, double /*s*/, BlockMatrix& /*A*/) const {}
+  // d += s diag(K)
+  virtual void add_diagonal(const Store&, double /*s*/, Eigen::VectorXd& /*d*/) const {}
 
   // Which nodes K couples, and then where their blocks lie: called once while the system is built.
   virtual void couple(Coupling&) const {}

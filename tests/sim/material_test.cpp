@@ -114,10 +114,11 @@ TYPED_TEST(MaterialTest, RotationChangesNothingUnlessLinear) {
   R(0, 1) = -s;
   R(1, 0) = s;
   const double turned = material.psi(R * F), plain = material.psi(F);
-  if (TypeParam::frame)
+  if (TypeParam::frame) {
     EXPECT_GT(std::abs(turned - plain), 1e-3 * young);
-  else
+  } else {
     EXPECT_NEAR(turned, plain, 1e-9 * young);
+  }
 }
 
 // The whole D M x D M matrix, for its eigenvalues.
@@ -155,7 +156,9 @@ TYPED_TEST(MaterialTest, ClampAndAbsActOnTheEigenvaluesOfTheTangent) {
     EXPECT_LT((dense<TypeParam>(clamped) - rebuilt([](double e) { return std::max(e, 0.0); })).norm(), 1e-9 * scale);
     EXPECT_LT((dense<TypeParam>(absolute) - rebuilt([](double e) { return std::abs(e); })).norm(), 1e-9 * scale);
   }
-  if (!TypeParam::frame) EXPECT_GT(negative, 0) << "nothing was mended: the test does not test";
+  if (!TypeParam::frame) {
+    EXPECT_GT(negative, 0) << "nothing was mended: the test does not test";
+  }
 }
 
 TYPED_TEST(MaterialTest, StiffnessBlockIsTheTangentBetweenTwoGradients) {

@@ -39,7 +39,7 @@ TEST_P(CheckKind, InvertedElementsAreFoundAndCounted) {
   Mesh mesh = bent(sample(GetParam()));
   const double exact = total_measure(mesh);
   int inverted = 0;
-  visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) {
+  visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     for (int e = 0; e < mesh.element_count(); e += 3, ++inverted) {
       const Eigen::VectorXi nodes = mesh.elements.col(e);
       for (int i = 0; i < E::nodes; ++i) mesh.elements(i, e) = nodes[E::mirrored[i]];

@@ -41,11 +41,11 @@ std::array<double, E::dimension> random_xi(std::mt19937& random) {
 
 void expect_random_points_found(const Mesh& mesh) {
   std::mt19937 random(11);
-  visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) {
+  visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     for (int trial = 0; trial < 300; ++trial) {
       const int e = static_cast<int>(random() % mesh.element_count());
       const auto xi = random_xi<E>(random);
-      const auto X_e = gather<E>(mesh.X, mesh.elements.col(e).data());
+      const auto X_e = gather<E, D>(mesh.X, mesh.elements.col(e).data());
       const Vec3 X = in_space(position<E>(X_e, xi));
       const auto found = locate(mesh, X);
       ASSERT_TRUE(found.has_value()) << "element " << e;

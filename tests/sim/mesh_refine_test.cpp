@@ -33,12 +33,12 @@ TEST_P(RefineKind, KeepsTheMeasureAndMultipliesTheCounts) {
 TEST_P(RefineKind, ChildrenLieInTheirParentWithEqualShares) {
   const Mesh coarse = sample(GetParam());  // affine: every child of a simplex or a box has an equal share
   const Mesh fine = refine(coarse);
-  visit_element(coarse.kind, [&]<class E>(std::type_identity<E>) {
+  visit_mesh(coarse, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     const int factor = E::dimension == 2 ? 4 : 8;
     for (int e = 0; e < coarse.element_count(); ++e) {
-      const double parent = measure<E>(gather<E>(coarse.X, coarse.elements.col(e).data()), E::mass_rule);
+      const double parent = measure<E>(gather<E, D>(coarse.X, coarse.elements.col(e).data()), E::mass_rule);
       for (int c = 0; c < factor; ++c) {
-        const double child = measure<E>(gather<E>(fine.X, fine.elements.col(factor * e + c).data()), E::mass_rule);
+        const double child = measure<E>(gather<E, D>(fine.X, fine.elements.col(factor * e + c).data()), E::mass_rule);
         EXPECT_NEAR(child, parent / factor, 1e-14 * parent);
       }
     }
@@ -105,7 +105,7 @@ TEST_P(RefineKind, WorksOnOneElementAndOnMembranes) {
 double worst_shape(const Mesh& mesh) {
   double worst = 1;
   for (const auto& e : mesh.elements.colwise()) {
-    const auto X_e = gather<Tet4>(mesh.X, e.data());
+    const auto X_e = gather<Tet4, 3>(mesh.X, e.data());
     double longest = 0;
     for (const auto& [a, b, middle] : Tet4::edges) longest = std::max(longest, (X_e.col(a) - X_e.col(b)).norm());
     worst = std::min(worst, measure<Tet4>(X_e, Tet4::rule) / std::pow(longest, 3));

@@ -43,9 +43,9 @@ inline Mesh bent(Mesh mesh) {
 // Area or volume from the elements, with sign.
 inline double total_measure(const Mesh& mesh) {
   double sum = 0;
-  visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) {
+  visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     for (const auto& nodes : mesh.elements.colwise()) {
-      sum += measure<E>(gather<E>(mesh.X, nodes.data()), E::mass_rule);
+      sum += measure<E>(gather<E, D>(mesh.X, nodes.data()), E::mass_rule);
     }
   });
   return sum;
@@ -63,33 +63,33 @@ constexpr const auto& load_rule() {
 // Length or area of the given facets of elements of this kind.
 inline double facet_measure(const Mesh& mesh, const Eigen::MatrixXi& facets) {
   double sum = 0;
-  visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) {
+  visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     using F = typename E::Facet;
-    for (const auto& nodes : facets.colwise()) sum += measure<F>(gather<F>(mesh.X, nodes.data()), load_rule<F>());
+    for (const auto& nodes : facets.colwise()) sum += measure<F>(gather<F, D>(mesh.X, nodes.data()), load_rule<F>());
   });
   return sum;
 }
 
-// Outward normal times the measure ratio of a facet.
-template <class F>
-Eigen::VectorXd scaled_normal(const Jacobian<F>& J) {
-  if constexpr (F::dimension == 1) {
-    return Eigen::Vector2d(J(1, 0), -J(0, 0));
-  } else {
-    return Vec3(J.col(0)).cross(Vec3(J.col(1)));
-  }
+// Outward normal of a facet times its measure ratio.
+inline Eigen::Vector2d scaled_normal(const Eigen::Vector2d& J) {
+  return {J[1], -J[0]};
+}
+inline Vec3 scaled_normal(const Eigen::Matrix<double, 3, 2>& J) {
+  return J.col(0).cross(J.col(1));
 }
 
 // Divergence theorem: measure = 1/d int X . n dA over the boundary. Right only when every facet points outward.
 inline double enclosed_measure(const Mesh& mesh) {
   double sum = 0;
   const Eigen::MatrixXi facets = boundary_facets(mesh);
-  visit_element(mesh.kind, [&]<class E>(std::type_identity<E>) {
+  visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     using F = typename E::Facet;
-    for (const auto& nodes : facets.colwise()) {
-      const auto X_f = gather<F>(mesh.X, nodes.data());
-      for (const auto& [xi, w] : load_rule<F>()) {
-        sum += w * position<F>(X_f, xi).dot(scaled_normal<F>(jacobian<F>(X_f, xi))) / E::dimension;
+    if constexpr (D == E::dimension) {
+      for (const auto& nodes : facets.colwise()) {
+        const auto X_f = gather<F, D>(mesh.X, nodes.data());
+        for (const auto& [xi, w] : load_rule<F>()) {
+          sum += w * position<F>(X_f, xi).dot(scaled_normal(jacobian<F>(X_f, xi))) / D;
+        }
       }
     }
   });

@@ -114,7 +114,9 @@ TEST_P(Structure, ForcesAndTorquesSumToZero) {
   }
   EXPECT_LT(sum.norm(), 1e-12 * f.norm());
   // A linear material does not know rotations, so it keeps no angular momentum away from rest.
-  if (std::string(GetParam().model) != "linear") EXPECT_LT(torque.norm(), 1e-11 * f.norm());
+  if (std::string(GetParam().model) != "linear") {
+    EXPECT_LT(torque.norm(), 1e-11 * f.norm());
+  }
 }
 
 // A homogeneous deformation leaves the interior in balance, on irregular meshes too.

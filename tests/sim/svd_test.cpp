@@ -41,7 +41,9 @@ void expect_factors(const Mat<double, D, M>& F, double scale) {
     double J = 1;
     for (int k = 0; k < M; ++k) {
       J *= r.s[k];
-      if (k + 1 < M) EXPECT_GE(r.s[k], 0);
+      if (k + 1 < M) {
+        EXPECT_GE(r.s[k], 0);
+      }
     }
     EXPECT_NEAR(J, determinant(F), 1e-12 * std::pow(scale, D));
   }

@@ -1,0 +1,125 @@
+#include "app/cli.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <ostream>
+#include <thread>
+
+#include "app/commands.h"
+
+namespace app {
+namespace {
+
+constexpr int kLargestSize = 8192;  // pixels; what software rasterisers draw
+constexpr int kMostThreads = 1024;
+constexpr int kMost = 1'000'000'000;  // of a count
+
+// KEY=VALUE; the value may hold more '='.
+void add_override(std::vector<Override>& overrides, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    throw CLI::ValidationError("--set " + text, "must be KEY=VALUE, as in --set time.step=0.005");
+  }
+  overrides.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
+}
+
+// "1280x720"
+void read_size(Options& options, const std::string& text) {
+  const char* const end = text.data() + text.size();
+  const auto [x, width_error] = std::from_chars(text.data(), end, options.width);
+  const bool has_x = width_error == std::errc{} && x != end && *x == 'x';
+  const auto [rest, height_error] = std::from_chars(has_x ? x + 1 : end, end, options.height);
+  const auto fits = [](int size) { return size >= 1 && size <= kLargestSize; };
+  if (!has_x || height_error != std::errc{} || rest != end || !fits(options.width) || !fits(options.height)) {
+    throw CLI::ValidationError("--size " + text, "must be WIDTHxHEIGHT in pixels, each 1 to 8192, as in 1280x720");
+  }
+}
+
+void add_scene_options(CLI::App& command, Options& options) {
+  command.add_option("SCENE", options.scene, "Scene file (TOML)")->required();
+  command
+      .add_option_function<std::string>(
+          "--set", [&options](const std::string& text) { add_override(options.overrides, text); },
+          "Set a key of the scene, as in --set time.step=0.005 or --set body.0.material.poisson=0.49; repeatable")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->trigger_on_parse();
+  command.add_option("--settings", options.settings, "TOML file whose keys overlay the scene")->type_name("FILE");
+  for (const char* const name : {"seconds", "fps"}) {
+    const std::string option = std::string("--") + name;
+    command
+        .add_option_function<std::string>(
+            option,
+            [&options, option, name](const std::string& value) {
+              options.overrides.push_back({std::string("time.") + name, value, option + " " + value});
+            },
+            name == std::string_view("fps") ? "Frames per simulated second (time.fps)"
+                                            : "Simulated time in s (time.seconds)")
+        ->type_name("NUMBER")
+        ->trigger_on_parse();
+  }
+  command.add_option("--threads", options.threads, "Cores to use; the results do not depend on it")
+      ->check(CLI::Range(1, kMostThreads))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Of everything random in a scene")->type_name("N")->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "No progress; errors only");
+}
+
+void add_output_options(CLI::App& command, Options& options) {
+  command.add_option("-o,--out", options.out, "Run folder; out/NAME of the scene file when not given")
+      ->type_name("DIR");
+  command.add_option("--resume", options.resume, "Go on from the state.bin of this run folder")->type_name("DIR");
+  command.add_flag("--overwrite", options.overwrite, "Replace what an earlier run left in the run folder");
+  command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { read_size(options, text); },
+          "Size of a frame in pixels [1280x720]")
+      ->type_name("WxH");
+  CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
+                                 ->check(CLI::Range(1, kMost))
+                                 ->type_name("N");
+  command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
+  command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
+}
+
+}  // namespace
+
+std::optional<Options> parse_command_line(const std::vector<std::string>& arguments, std::ostream& out,
+                                          std::ostream& err, int& exit_code) {
+  Options options;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  CLI::App app("Animates elastic bodies by the finite element method and draws them without a display.", "ritz");
+  app.require_subcommand(1);
+  app.footer(
+      "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
+      "3 numerical failure, 130 interrupted.");
+
+  CLI::App& record = *app.add_subcommand("record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers");
+  CLI::App& run = *app.add_subcommand("run", "Step only: the numbers, no picture");
+  CLI::App& explain = *app.add_subcommand("explain", "What is modelled and what it costs, before a step is taken");
+  for (CLI::App* const command : {&record, &run, &explain}) add_scene_options(*command, options);
+  for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
+  add_picture_options(record, options);
+  CLI::Option* const keys =
+      explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
+  explain.get_option("SCENE")->required(false);
+  explain.get_option("SCENE")->excludes(keys);
+
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    app.parse(reversed);
+    if (explain.parsed() && !options.keys && options.scene.empty()) throw CLI::RequiredError("SCENE");
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
+    return std::nullopt;
+  }
+  options.command = record.parsed() ? Command::record : run.parsed() ? Command::run : Command::explain;
+  return options;
+}
+
+}  // namespace app

@@ -1,0 +1,21 @@
+// A mesh in a file of any format that is known: Gmsh (.msh), TetGen (.node with .ele), Wavefront (.obj).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/mesh/mesh.h"
+
+namespace app {
+
+// Coordinates are finite, elements refer to nodes that exist, none twice, and every node belongs to an element.
+// Orientation and volume are not looked at. What was left out or changed is told in remarks, a line each.
+// Throws FileError, with file and line or offset.
+sim::Mesh read_mesh(const std::filesystem::path& path, std::vector<std::string>& remarks);
+
+// The same for the bytes of one file: Gmsh, told by its first line, or Wavefront, told by its name's ending.
+sim::Mesh read_mesh(std::string_view content, std::string_view name, std::vector<std::string>& remarks);
+
+}  // namespace app

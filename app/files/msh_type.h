@@ -1,0 +1,23 @@
+// Gmsh's element types: what is known of each by its number.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "sim/mesh/mesh.h"
+
+namespace app {
+
+struct MshType {
+  int number;
+  std::string_view name;
+  int dimension;
+  int nodes;
+  std::optional<sim::ElementKind> kind;  // none: a body cannot be made of it
+};
+
+// nullptr for a number that is not in the table (elements of order three and more, among others).
+const MshType* find_msh_type(std::int64_t number);
+
+}  // namespace app

@@ -1,0 +1,16 @@
+// Surfaces in Wavefront OBJ files: a mesh in the plane, or a membrane in space.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/mesh/mesh.h"
+
+namespace app {
+
+// Reads vertices (v) and faces (f); the rest (normals, textures, materials, ...) is passed over. Convex polygons are
+// cut into triangles, with a remark. When all vertices have the same z, the mesh is in the plane. Throws FileError.
+sim::Mesh read_obj(std::string_view content, std::string_view name, std::vector<std::string>& remarks);
+
+}  // namespace app

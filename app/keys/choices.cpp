@@ -1,0 +1,46 @@
+#include "app/keys/choices.h"
+
+#include "sim/element/list.h"
+#include "sim/material/list.h"
+#include "sim/time/scheme.h"
+
+namespace app {
+namespace {
+
+// The name of every type of a list.
+template <class... T>
+std::vector<std::string_view> names(sim::TypeList<T...>) {
+  return {T::name...};
+}
+
+}  // namespace
+
+std::vector<std::string_view> integrator_names() {
+  return {"symplectic-euler", "backward-euler"};
+}
+
+std::vector<std::string_view> linear_solver_names() {
+  return {"cholmod", "pcg", "pcg-assembled", "auto"};
+}
+
+std::vector<std::string_view> definiteness_names() {
+  return {"clamp", "abs", "none"};
+}
+
+std::vector<std::string_view> material_names() {
+  return names(sim::Materials{});
+}
+
+std::vector<std::string_view> element_names() {
+  return names(sim::Elements{});
+}
+
+std::vector<std::string_view> mass_names() {
+  return {"lumped", "consistent"};
+}
+
+std::vector<std::string_view> colour_names() {
+  return {"plain", "stress", "stretch", "energy", "J"};
+}
+
+}  // namespace app

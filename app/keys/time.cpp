@@ -1,0 +1,100 @@
+// Keys of [time] and [solver].
+#include <cmath>
+
+#include "app/keys/binding.h"
+#include "app/keys/choices.h"
+#include "app/number_text.h"
+
+namespace app {
+namespace {
+
+constexpr auto time_of = [](auto& d, const Indices&) -> auto& {
+  return d.scene.time;
+};
+constexpr auto solver_of = [](auto& d, const Indices&) -> auto& {
+  return d.scene.solver;
+};
+
+// h = 1/(fps n) with the least n for which h <= step [s]; a step that divides the frame but for round-off is taken
+// as it is.
+void set_step(Document& document, const Indices&, const Value& value) {
+  sim::Time& time = document.scene.time;
+  const double step = std::get<double>(value);
+  const double steps = std::ceil(1 / (time.fps * step) * (1 - 1e-12));
+  time.substeps = static_cast<int>(std::clamp(steps, 1.0, 1e6));
+  std::string remark = "time.step = ";
+  append_number(remark, step);
+  remark += " s: " + std::to_string(time.substeps) + (time.substeps == 1 ? " step" : " steps") + " per frame, h = ";
+  append_number(remark, 1.0 / (double(time.fps) * time.substeps));
+  document.remarks.push_back(remark + " s");
+}
+
+}  // namespace
+
+std::vector<Key> time_keys() {
+  return {
+      {.path = "title",
+       .kind = Kind::text,
+       .absent = "none",
+       .meaning = "What the scene shows, in a few words; drawn above the picture.",
+       .binding = field<whole_document, &Document::title>},
+      {.path = "time", .kind = Kind::table, .meaning = "How long the scene lasts and how it is stepped."},
+      {.path = "time.seconds",
+       .kind = Kind::number,
+       .unit = "s",
+       .range = {.low = 0, .high = 1e6, .low_open = true},
+       .meaning = "Simulated time.",
+       .binding = field<time_of, &sim::Time::seconds>},
+      {.path = "time.fps",
+       .kind = Kind::integer,
+       .unit = "1/s",
+       .range = between(1, 1e6),
+       .meaning = "Frames per simulated second: frame k lies at k/fps exactly.",
+       .binding = field<time_of, &sim::Time::fps>},
+      {.path = "time.substeps",
+       .kind = Kind::substeps,
+       .range = between(1, 1e6),
+       .meaning =
+           "Steps per frame, so that the step is h = 1/(fps substeps). \"auto\", for explicit integrators: as many "
+           "as stability needs.",
+       .binding = field<time_of, &sim::Time::substeps>},
+      {.path = "time.step",
+       .kind = Kind::number,
+       .unit = "s",
+       .range = {.low = 1e-9, .high = 1e6},
+       .absent = "from substeps",
+       .meaning = "Instead of substeps: the longest step that may be taken. The longest that divides the frame is.",
+       .binding = {.get = [](const Document&, const Indices&) { return std::optional<Value>(); }, .set = set_step}},
+      {.path = "time.integrator",
+       .kind = Kind::choice,
+       .choices = integrator_names,
+       .meaning = "Time integration scheme.",
+       .binding = field<time_of, &sim::Time::integrator>},
+
+      {.path = "solver", .kind = Kind::table, .meaning = "How the equations of an implicit step are solved."},
+      {.path = "solver.linear",
+       .kind = Kind::choice,
+       .choices = linear_solver_names,
+       .meaning = "Linear solver inside Newton's method.",
+       .binding = field<solver_of, &sim::Solver::linear>},
+      {.path = "solver.tolerance",
+       .kind = Kind::number,
+       .unit = "body sizes/s",
+       .range = inside(0, 1),
+       .meaning = "Newton stops when max |dx|/(g h) is below it; g is the integrator's share of the step.",
+       .binding = field<solver_of, &sim::Solver::tolerance>},
+      {.path = "solver.max_iterations",
+       .kind = Kind::integer,
+       .range = between(1, 100000),
+       .meaning = "Newton iterations per stage; where they do not suffice, the step is reported as not converged.",
+       .binding = field<solver_of, &sim::Solver::max_iterations>},
+      {.path = "solver.definiteness",
+       .kind = Kind::choice,
+       .choices = definiteness_names,
+       .meaning =
+           "What is done to negative eigenvalues of an element's stiffness: set to zero, made positive, or kept.",
+       .binding = field<solver_of, &sim::Solver::definiteness>},
+  };
+}
+
+}  // namespace app

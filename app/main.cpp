@@ -1,0 +1,34 @@
+// The program `ritz`: reads the command line, runs a command, turns exceptions into exit codes.
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/cli.h"
+#include "app/commands.h"
+
+namespace {
+
+int dispatch(const app::Options& options) {
+  switch (options.command) {
+    case app::Command::record: return app::record(options);
+    case app::Command::run: return app::run(options);
+    case app::Command::explain: return app::explain(options);
+  }
+  return app::kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    int exit_code = app::kDone;
+    const auto options = app::parse_command_line({argv + 1, argv + argc}, std::cout, std::cerr, exit_code);
+    return options ? dispatch(*options) : exit_code;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "ritz: out of memory: take a coarser mesh\n";
+    return app::kNumericalFailure;
+  } catch (const std::exception& error) {
+    std::cerr << "ritz: " << error.what() << '\n';
+    return app::kBadInput;
+  }
+}

@@ -1,0 +1,40 @@
+// What the command line says: one struct for all commands. Keys of the scene that have an option of their own
+// (--seconds, --fps) arrive as overrides.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace app {
+
+// A key of the scene set from outside: "body.0.material.poisson" = "0.49".
+struct Override {
+  std::string key;
+  std::string value;   // TOML, or a bare string
+  std::string origin;  // what messages say it came from: "--set body.0.material.poisson=0.49"
+};
+
+enum class Command { record, run, explain };
+
+struct Options {
+  Command command = Command::record;
+  std::filesystem::path scene;      // the TOML file
+  std::filesystem::path settings;   // TOML file whose keys overlay the scene; empty: none
+  std::vector<Override> overrides;  // the last one wins
+  std::filesystem::path out;        // the run folder; empty: out/NAME of the scene file
+  std::filesystem::path resume;     // run folder whose state.bin to go on from; empty: from the start
+  int threads = 1;                  // >= 1; the command line fills in the number of cores
+  std::uint64_t seed = 1;           // of everything random in a scene
+  bool quiet = false;               // no progress, only errors
+  bool overwrite = false;           // existing frames may be replaced
+  bool vtu = false;                 // VTU files and a .pvd beside the frames
+  int width = 1280, height = 720;   // of a frame, pixels
+  int every = 1;                    // draw frames 0, n, 2n, ...
+  bool still = false;               // draw the last frame only
+  std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
+  bool keys = false;                // explain: print the reference of the keys, no scene
+};
+
+}  // namespace app

@@ -1,0 +1,31 @@
+// What a frame of a run shows: the state of a system, seen as the scene says.
+#pragma once
+
+#include <vector>
+
+#include "app/document.h"
+#include "app/frame_sink.h"
+#include "app/surface.h"
+#include "render/frame.h"
+#include "sim/system.h"
+
+namespace app {
+
+// Holds what is the same in every frame; both arguments of the constructor must outlive it.
+class Picture {
+ public:
+  // `aspect`: width / height of the pictures.
+  Picture(const sim::System& system, const Document& document, double aspect);
+
+  render::Frame frame(const Moment& moment) const;
+
+ private:
+  void add_values(const sim::State& state, render::Frame& frame) const;
+
+  const sim::System& system_;
+  const Document& document_;
+  std::vector<Surface> surfaces_;  // body by body
+  render::Frame still_;            // a frame that lacks positions, values and caption
+};
+
+}  // namespace app

@@ -1,0 +1,59 @@
+// Draws the frames of a run and writes them as PNG files or a video, while the run goes on.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/frame_sink.h"
+#include "app/options.h"
+#include "app/picture.h"
+#include "app/pipeline.h"
+#include "app/run_folder.h"
+#include "app/simulation.h"
+#include "app/video.h"
+#include "render/image.h"
+
+namespace app {
+
+class Recorder : public FrameSink {
+ public:
+  // Makes ready to draw and starts ffmpeg where a video is wanted; throws std::runtime_error when either cannot be
+  // done. `simulation` and `folder` must outlive it.
+  Recorder(const Simulation& simulation, const RunFolder& folder, const Options& options);
+
+  void add(Moment moment, std::string checkpoint) override;
+  void finish() override;
+  FrameSeconds seconds() const override;
+  int frames_drawn() const { return frames_drawn_; }
+
+ private:
+  struct Job {
+    Moment moment;
+    bool draw = true;
+    std::string checkpoint;
+  };
+  struct Drawn {
+    std::int64_t frame = 0;
+    std::optional<render::Image> image;
+    std::string checkpoint;
+  };
+  using Stages = Pipeline<Job, Drawn>;
+
+  bool is_drawn(std::int64_t frame) const;
+  Stages::Draw make_draw() const;
+  void write(const Drawn& drawn);
+
+  const Simulation& simulation_;
+  const RunFolder& folder_;
+  int width_, height_, every_;
+  bool still_;
+  int frames_drawn_ = 0;
+  double waiting_ = 0;
+  Picture picture_;
+  std::unique_ptr<Video> video_;
+  Stages stages_;  // last: its threads use all of the above
+};
+
+}  // namespace app

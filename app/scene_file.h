@@ -1,0 +1,18 @@
+// Scene files: TOML in, Document out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "app/options.h"
+
+namespace app {
+
+// Reads a scene, lays the settings file (empty path: none) and then the overrides over it, checks every key against
+// the key table, fills every default in and makes the meshes. Throws SceneError.
+Document load_scene(const std::filesystem::path& scene, const std::filesystem::path& settings = {},
+                    const std::vector<Override>& overrides = {});
+
+}  // namespace app

@@ -1,0 +1,146 @@
+#include "app/state_file.h"
+
+#include <array>
+#include <bit>
+#include <fstream>
+#include <stdexcept>
+
+#include "app/checksum.h"
+#include "app/output_file.h"
+
+namespace app {
+namespace {
+
+constexpr std::string_view kMagic = "RITZSTAT";
+constexpr std::uint32_t kFormat = 1;
+constexpr std::size_t kChecksumBytes = 8;
+
+template <typename Unsigned>
+void put(std::string& bytes, Unsigned value) {
+  for (std::size_t i = 0; i < sizeof(Unsigned); ++i) bytes.push_back(static_cast<char>((value >> (8 * i)) & 0xff));
+}
+
+void put(std::string& bytes, double value) {
+  put(bytes, std::bit_cast<std::uint64_t>(value));
+}
+void put(std::string& bytes, std::int64_t value) {
+  put(bytes, static_cast<std::uint64_t>(value));
+}
+
+void put(std::string& bytes, const Eigen::VectorXd& values) {
+  for (const double value : values) put(bytes, value);
+}
+
+// Takes numbers from the front of some bytes.
+class Reader {
+ public:
+  Reader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  std::string_view take(std::size_t count) {
+    if (count > bytes_.size()) fail("is cut short");
+    const std::string_view front = bytes_.substr(0, count);
+    bytes_.remove_prefix(count);
+    return front;
+  }
+
+  template <typename Unsigned>
+  Unsigned number() {
+    Unsigned value = 0;
+    int shift = 0;
+    for (const char byte : take(sizeof(Unsigned))) {
+      value |= static_cast<Unsigned>(static_cast<unsigned char>(byte)) << shift;
+      shift += 8;
+    }
+    return value;
+  }
+
+  std::int64_t integer() { return static_cast<std::int64_t>(number<std::uint64_t>()); }
+  double real() { return std::bit_cast<double>(number<std::uint64_t>()); }
+
+  Eigen::VectorXd vector(std::uint64_t length) {
+    // Compared before anything is allocated: a damaged length may be anything.
+    if (length > bytes_.size() / sizeof(double)) fail("is cut short");
+    Eigen::VectorXd values(static_cast<Eigen::Index>(length));
+    for (double& value : values) value = real();
+    return values;
+  }
+
+  std::size_t left() const { return bytes_.size(); }
+
+  [[noreturn]] void fail(const std::string& why) const { throw std::runtime_error(name_ + ": the saved state " + why); }
+
+ private:
+  std::string_view bytes_;
+  std::string name_;
+};
+
+void read_state(Reader& reader, sim::State& state) {
+  std::array<std::uint64_t, 4> lengths{};
+  for (std::uint64_t& length : lengths) length = reader.number<std::uint64_t>();
+  state.x = reader.vector(lengths[0]);
+  state.v = reader.vector(lengths[1]);
+  state.x_before = reader.vector(lengths[2]);
+  state.v_before = reader.vector(lengths[3]);
+}
+
+bool plausible(const sim::State& state) {
+  const auto fits = [&](const Eigen::VectorXd& before) {
+    return before.size() == 0 || before.size() == state.x.size();
+  };
+  return state.step >= 0 && state.v.size() == state.x.size() && fits(state.x_before) && fits(state.v_before) &&
+         state.x.allFinite() && state.v.allFinite() && state.x_before.allFinite() && state.v_before.allFinite();
+}
+
+}  // namespace
+
+std::string encode(const SavedRun& run) {
+  const sim::State& state = run.state;
+  std::string bytes(kMagic);
+  put(bytes, kFormat);
+  put(bytes, run.scene);
+  for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged, state.step}) {
+    put(bytes, count);
+  }
+  put(bytes, run.totals.min_J);
+  for (const Eigen::VectorXd* values : {&state.x, &state.v, &state.x_before, &state.v_before}) {
+    put(bytes, static_cast<std::uint64_t>(values->size()));
+  }
+  for (const Eigen::VectorXd* values : {&state.x, &state.v, &state.x_before, &state.v_before}) put(bytes, *values);
+  put(bytes, checksum(bytes));
+  return bytes;
+}
+
+SavedRun decode(std::string_view bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  if (reader.take(kMagic.size()) != kMagic) reader.fail("does not begin with RITZSTAT: not a state file");
+  const auto version = reader.number<std::uint32_t>();
+  if (version != kFormat) {
+    reader.fail("has version " + std::to_string(version) + ", this program reads " + std::to_string(kFormat));
+  }
+  SavedRun run;
+  run.scene = reader.number<std::uint64_t>();
+  for (std::int64_t* count : {&run.totals.newton, &run.totals.linear, &run.totals.not_converged, &run.state.step}) {
+    *count = reader.integer();
+  }
+  run.totals.min_J = reader.real();
+  read_state(reader, run.state);
+  if (reader.left() != kChecksumBytes) reader.fail("has the wrong length");
+  const std::uint64_t expected = checksum(bytes.substr(0, bytes.size() - kChecksumBytes));
+  if (reader.number<std::uint64_t>() != expected) reader.fail("is damaged (wrong checksum)");
+  if (!plausible(run.state)) reader.fail("holds numbers that no run leaves");
+  return run;
+}
+
+void write_state_file(const std::filesystem::path& path, const SavedRun& run) {
+  write_atomically(path, encode(run), true);
+}
+
+SavedRun read_state_file(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path.string() + ": no saved state there");
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad() || !file.is_open()) throw std::runtime_error(path.string() + ": the saved state cannot be read");
+  return decode(bytes, path.string());
+}
+
+}  // namespace app

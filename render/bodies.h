@@ -1,0 +1,39 @@
+// Draws surfaces: lit, flat, as ghosts, and their edges.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "render/canvas.h"
+#include "render/gl.h"
+#include "render/surface_buffer.h"
+
+namespace render {
+
+class Bodies {
+ public:
+  explicit Bodies(const GladGLContext& gl);
+
+  // The colours that values take; may be null when no surface has values.
+  void use_scale(const ColourScale* scale);
+
+  // All draw into the canvas's region, whose corner in the picture is given.
+  // inside_shows: draw the inside of closed surfaces too (it is seen where a body is inverted).
+  void draw_solid(const Surface& surface, const SurfaceBuffer& buffer, const GlObject& visibility, const Rect& region,
+                  bool inside_shows) const;
+  void draw_flat(const Surface& surface, const SurfaceBuffer& buffer) const;
+  void draw_ghost(const Surface& surface, const SurfaceBuffer& buffer) const;
+  // Lines of a width in pixels, as far as the context can, just in front of the surface they lie on.
+  void draw_edges(const SurfaceBuffer& buffer, const Eigen::Vector4f& colour, float width) const;
+  void draw_outline(const SurfaceBuffer& buffer, const Eigen::Vector4f& colour, float width) const;
+
+ private:
+  void use_surface(const GlObject& program, const Surface& surface, float opacity) const;
+  void use_lines(const Eigen::Vector4f& colour, float width) const;
+
+  const GladGLContext& gl_;
+  GlObject solid_, inside_, flat_, ghost_, lines_, colours_;
+  std::string map_;  // what colours_ holds
+  float widest_line_ = 1;
+};
+
+}  // namespace render

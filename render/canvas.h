@@ -1,0 +1,48 @@
+// The picture being drawn, and the part of it that is drawn multisampled.
+#pragma once
+
+#include <glad/gl.h>
+
+#include "render/gl.h"
+#include "render/image.h"
+
+namespace render {
+
+// Pixels low x, low y, width, height; origin at the lower left.
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool empty() const { return width <= 0 || height <= 0; }
+};
+
+// Background and text need no multisampling; bodies do. In software every sample costs, so only the rectangle that
+// bodies cover is multisampled: it starts as a copy of the picture and is resolved back into it. Colours are stored
+// as sRGB; shaders encode, because the encoding by a framebuffer is slower.
+class Canvas {
+ public:
+  Canvas(const GladGLContext& gl, int width, int height, int samples);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Further drawing goes to the picture, one sample a pixel, depth test off.
+  void draw_into_picture() const;
+  // Further drawing goes to the region, with depth, until resolve. Pixel (x, y) of it is (x, y) + its corner.
+  void draw_into_region(const Rect& region);
+  // Puts the region back: the mean of the samples in (nearly) linear light.
+  void resolve();
+  // The picture, read back.
+  Image read() const;
+
+ private:
+  void make_region(int width, int height);
+
+  const GladGLContext& gl_;
+  int width_, height_, samples_;
+  Rect region_;
+  int region_width_ = 0, region_height_ = 0;  // allocated
+  GlObject picture_texture_, picture_depth_, picture_;
+  GlObject region_colour_, region_depth_, region_target_;
+  GlObject copy_, resolve_, empty_;
+};
+
+}  // namespace render

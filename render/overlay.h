@@ -1,0 +1,37 @@
+// Text and plots over a picture.
+#pragma once
+
+#include <imgui.h>
+
+#include <memory>
+#include <optional>
+
+#include "render/draw_data.h"
+#include "render/frame.h"
+#include "render/page.h"
+#include "render/view.h"
+
+namespace render {
+
+// Owns a Dear ImGui context, with fonts baked at the sizes that the picture needs. Dear ImGui keeps a pointer to the
+// context in use; it is set only during calls, so overlays may be used in turn, but not in two threads at once.
+class Overlay {
+ public:
+  Overlay(const GladGLContext& gl, int width, int height);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  // Draws title, caption, labels, legend, strips and rulers of the frame into the bound framebuffer.
+  void draw(const Frame& frame, const View& view);
+
+ private:
+  void load_fonts();
+  void draw_words(const Frame& frame, const View& view, float caption_end) const;
+
+  ImGuiContext* imgui_;
+  Page page_;
+  std::optional<DrawDataPainter> painter_;
+};
+
+}  // namespace render

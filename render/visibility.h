@@ -1,0 +1,64 @@
+// How much of the key light and of the sky each pixel sees: soft shadows and darkened creases.
+#pragma once
+
+#include "render/backdrop.h"
+#include "render/canvas.h"
+#include "render/gl.h"
+#include "render/shadow_map.h"
+
+namespace render {
+
+// For the fragment stages that shade; `origin` is the corner of their target in the picture. visible gives (key light,
+// sky), 0 to 1: of the four nearest texels of the visibility buffer those count that lie at the pixel's own depth.
+// A software rasteriser executes both sides of every `if`; loops that end early and `discard` are what saves time.
+inline constexpr std::string_view visibility_lookup = R"(
+uniform sampler2D visibility;
+bool fully_lit(ivec2 origin) {
+  vec2 pixel = gl_FragCoord.xy + vec2(origin);
+  bool inside = all(greaterThan(pixel, visible_rect.xy)) && all(lessThan(pixel, visible_rect.zw));
+  return !inside || textureLod(visibility, pixel / size.xy, 0.0).w < 0.5;
+}
+vec2 visible(ivec2 origin) {
+  vec2 texel = (gl_FragCoord.xy + vec2(origin)) * size.zw / size.xy - 0.5;
+  vec2 base = floor(texel);
+  vec2 f = texel - base;
+  float depth = eye_depth(gl_FragCoord.z);
+  int count = fully_lit(origin) ? 0 : 4;
+  vec3 sum = count == 0 ? vec3(1.0) : vec3(0.0);
+  for (int k = 0; k < count; ++k) {
+    vec2 step = vec2(k & 1, k >> 1);
+    vec3 v = textureLod(visibility, (base + step + 0.5) / size.zw, 0.0).xyz;
+    vec2 w = mix(1.0 - f, f, step);
+    float weight = (w.x * w.y + 1e-3) / (abs(v.z - depth) + 4e-3 * forward.w);
+    sum += weight * vec3(v.xy, 1.0);
+  }
+  return sum.xy / sum.z;
+}
+)";
+
+class Visibility {
+ public:
+  // A buffer for pictures of width x height, at a scale that leaves it about 360 rows: light that is soft needs no
+  // more.
+  Visibility(const GladGLContext& gl, int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Fills the part of the buffer under `rect` (pixels of the picture). Returns whether the inside of a closed surface
+  // shows.
+  bool draw(const Frame& frame, const View& view, const SurfaceList& solids, const Backdrop& backdrop,
+            const ShadowMap& shadow, const Rect& rect) const;
+  // Red: key light, green: sky, blue: depth along the view, alpha: 1 where some light is missing near by, else 0.
+  const GlObject& texture() const { return smooth_; }
+
+ private:
+  void draw_solids(const SurfaceList& solids) const;
+
+  const GladGLContext& gl_;
+  int scale_, width_, height_;  // scale: picture pixels per texel along each side
+  GlObject depth_, depth_target_, raw_, raw_target_, smooth_, smooth_target_;
+  GlObject depth_program_, raw_program_, smooth_program_, empty_, inside_query_;
+};
+
+}  // namespace render

@@ -1,0 +1,197 @@
+#include "sim/term/obstacle.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace sim {
+
+namespace {
+
+// b(d) and its derivatives, for 0 < d < dh.
+struct Barrier {
+  double b, first, second;
+  Barrier(double d, double dh) {
+    const double gap = d - dh, log = std::log(d / dh);
+    b = -gap * gap * log;
+    first = -2 * gap * log - gap * gap / d;
+    second = -2 * log - 4 * gap / d + gap * gap / (d * d);
+  }
+};
+
+// f0, f1 = f0', f1' of the speed y: quadratic to linear, twice continuously differentiable at eps.
+struct Mollifier {
+  double f0, f1, slope;
+  Mollifier(double y, double eps) {
+    if (y >= eps) {
+      f0 = y;
+      f1 = 1;
+      slope = 0;
+    } else {
+      f0 = -y * y * y / (3 * eps * eps) + y * y / eps + eps / 3;
+      f1 = -y * y / (eps * eps) + 2 * y / eps;
+      slope = -2 * y / (eps * eps) + 2 / eps;
+    }
+  }
+};
+
+}  // namespace
+
+// Per contact: the normal force and direction when the step began, and the block of the last linearisation.
+struct ObstacleTerm::Blocks : Store {
+  std::vector<double> lambda;
+  std::vector<Vec3> normal;
+  std::vector<Eigen::Matrix3d> K;
+};
+
+ObstacleTerm::ObstacleTerm(const Obstacle& obstacle, std::vector<Contact> contacts, double dh, double eps, int D)
+    : obstacle_(obstacle), contacts_(std::move(contacts)), dh_(dh), eps_(eps), D_(D) {}
+
+TermInfo ObstacleTerm::info() const {
+  std::ostringstream what;
+  what << (std::holds_alternative<Plane>(obstacle_.shape) ? "plane" : "sphere") << ", " << contacts_.size()
+       << " nodes, barrier from " << dh_ << " m, friction " << obstacle_.friction;
+  return {"obstacle", what.str()};
+}
+
+std::unique_ptr<Term::Store> ObstacleTerm::make_store(int threads) const {
+  auto store = std::make_unique<Blocks>();
+  store->threads = threads;
+  store->lambda.assign(contacts_.size(), 0);
+  store->normal.assign(contacts_.size(), Vec3::Zero());
+  store->K.assign(contacts_.size(), Eigen::Matrix3d::Zero());
+  return store;
+}
+
+Vec3 ObstacleTerm::at(const Eigen::VectorXd& x, int node) const {
+  Vec3 point = Vec3::Zero();
+  point.head(D_) = x.segment(static_cast<Eigen::Index>(node) * D_, D_);
+  return point;
+}
+
+double ObstacleTerm::distance(const Vec3& x, Vec3& normal) const {
+  if (const Plane* plane = std::get_if<Plane>(&obstacle_.shape)) {
+    normal = plane->normal.normalized();
+    return normal.dot(x - plane->point);
+  }
+  const Sphere& sphere = std::get<Sphere>(obstacle_.shape);
+  const Vec3 arm = x - sphere.centre;
+  normal = arm.norm() > 0 ? Vec3(arm.normalized()) : Vec3(Vec3::UnitY());
+  return arm.norm() - sphere.radius;
+}
+
+// d2 d/dx2: zero for a plane, (I - n n^T)/|x - c| for a sphere.
+Eigen::Matrix3d ObstacleTerm::curvature(const Vec3& normal, double d) const {
+  const Sphere* sphere = std::get_if<Sphere>(&obstacle_.shape);
+  if (!sphere) return Eigen::Matrix3d::Zero();
+  return (Eigen::Matrix3d::Identity() - normal * normal.transpose()) / (d + sphere->radius);
+}
+
+void ObstacleTerm::begin_step(const Motion& start, Store& store) const {
+  auto& s = static_cast<Blocks&>(store);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const double d = distance(at(start.x, contacts_[k].node), s.normal[k]);
+    s.lambda[k] = d > 0 && d < dh_ ? -contacts_[k].kappa * Barrier(d, dh_).first : 0;
+  }
+}
+
+double ObstacleTerm::energy(const Motion& motion, Store& store) const {
+  const auto& s = static_cast<const Blocks&>(store);
+  double U = 0;
+  Vec3 n;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const double d = distance(at(motion.x, contacts_[k].node), n);
+    if (!(d > 0)) return std::numeric_limits<double>::infinity();
+    if (d < dh_) U += contacts_[k].kappa * Barrier(d, dh_).b;
+    if (motion.dv_dx == 0 || s.lambda[k] == 0 || obstacle_.friction == 0) continue;
+    const Vec3 v = at(motion.v, contacts_[k].node), slip = v - s.normal[k].dot(v) * s.normal[k];
+    U += obstacle_.friction * s.lambda[k] * Mollifier(slip.norm(), eps_).f0 / motion.dv_dx;
+  }
+  return U;
+}
+
+void ObstacleTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const {
+  const auto& s = static_cast<const Blocks&>(store);
+  Vec3 n;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const int node = contacts_[k].node;
+    Vec3 force = Vec3::Zero();
+    const double d = distance(at(motion.x, node), n);
+    if (d < dh_) force -= contacts_[k].kappa * Barrier(d, dh_).first * n;
+    if (s.lambda[k] != 0 && obstacle_.friction != 0) {
+      const Vec3 v = at(motion.v, node), slip = v - s.normal[k].dot(v) * s.normal[k];
+      const double y = slip.norm();
+      if (y > 0) force -= obstacle_.friction * s.lambda[k] * Mollifier(y, eps_).f1 / y * slip;
+    }
+    f.segment(static_cast<Eigen::Index>(node) * D_, D_) += force.head(D_);
+  }
+}
+
+void ObstacleTerm::linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const {
+  auto& s = static_cast<Blocks&>(store);
+  add_forces(motion, store, f);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    Vec3 n;
+    s.K[k].setZero();
+    const double d = distance(at(motion.x, contacts_[k].node), n);
+    if (d < dh_) {
+      const Barrier b(d, dh_);
+      s.K[k] += contacts_[k].kappa * b.second * n * n.transpose();
+      // Repulsion from a sphere weakens sideways: a negative part, kept only in the exact tangent.
+      if (fix == Definiteness::none) s.K[k] += contacts_[k].kappa * b.first * curvature(n, d);
+    }
+    if (s.lambda[k] == 0 || obstacle_.friction == 0) continue;
+    const Vec3 v = at(motion.v, contacts_[k].node), slip = v - s.normal[k].dot(v) * s.normal[k];
+    const Eigen::Matrix3d T = Eigen::Matrix3d::Identity() - s.normal[k] * s.normal[k].transpose();
+    const double y = slip.norm(), strength = obstacle_.friction * s.lambda[k] * motion.dv_dx;
+    const Mollifier m(y, eps_);
+    const Vec3 along = y > 0 ? Vec3(slip / y) : Vec3(Vec3::Zero());
+    const double across = y > 0 ? m.f1 / y : m.slope;
+    s.K[k] += strength * (across * (T - along * along.transpose()) + m.slope * along * along.transpose());
+  }
+}
+
+void ObstacleTerm::add_product(const Store& store, double scale, const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
+  const auto& s = static_cast<const Blocks&>(store);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Vec3 Kp = scale * s.K[k] * at(p, contacts_[k].node);
+    y.segment(static_cast<Eigen::Index>(contacts_[k].node) * D_, D_) += Kp.head(D_);
+  }
+}
+
+void ObstacleTerm::add_matrix(const Store& store, double scale, BlockMatrix& A) const {
+  const auto& s = static_cast<const Blocks&>(store);
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    for (int i = 0; i < D_; ++i)
+      for (int j = 0; j < D_; ++j) A.block(slot_[k])[i * D_ + j] += scale * s.K[k](i, j);
+}
+
+void ObstacleTerm::add_diagonal(const Store& store, double scale, Eigen::VectorXd& d) const {
+  const auto& s = static_cast<const Blocks&>(store);
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    d.segment(static_cast<Eigen::Index>(contacts_[k].node) * D_, D_) += scale * s.K[k].diagonal().head(D_);
+}
+
+void ObstacleTerm::bind(const BlockPattern& pattern) {
+  for (const Contact& contact : contacts_) slot_.push_back(pattern.slot(contact.node, contact.node));
+}
+
+// d(x + a dx) = 0: linear in a for a plane, |x + a dx - c|^2 = r^2 for a sphere.
+double ObstacleTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx) const {
+  double largest = 1;
+  Vec3 n;
+  for (const Contact& contact : contacts_) {
+    const Vec3 x = at(motion.x, contact.node), p = at(dx, contact.node);
+    const double d = distance(x, n);
+    if (const Sphere* sphere = std::get_if<Sphere>(&obstacle_.shape)) {
+      const double A = p.squaredNorm(), B = (x - sphere->centre).dot(p), C = d * (d + 2 * sphere->radius);
+      const double discriminant = B * B - A * C;
+      if (B < 0 && discriminant >= 0) largest = std::min(largest, C / (std::sqrt(discriminant) - B));
+    } else if (n.dot(p) < 0) {
+      largest = std::min(largest, d / -n.dot(p));
+    }
+  }
+  return largest;
+}
+
+}  // namespace sim

@@ -1,0 +1,50 @@
+// An obstacle that no surface node passes: a barrier on its distance, and friction. [Li et al. 2020]
+//   U = sum_i kappa_i b(d_i),  b(d) = -(d - dh)^2 ln(d/dh) for 0 < d < dh, else 0
+// Friction opposes the tangential velocity with mu lambda_i f1(|v_T|), lambda_i the normal force when the step began,
+// f1 rising smoothly from 0 to 1 at the speed eps: the gradient of a potential in v, so it works in every stage.
+#pragma once
+
+#include <vector>
+
+#include "sim/term/term.h"
+
+namespace sim {
+
+class ObstacleTerm final : public Term {
+ public:
+  // Nodes that may touch: number in the system and barrier stiffness kappa [N/m]; dh [m]: where the barrier begins;
+  // eps [m/s]: where friction is fully grown.
+  struct Contact {
+    int node;
+    double kappa;
+  };
+  ObstacleTerm(const Obstacle& obstacle, std::vector<Contact> contacts, double dh, double eps, int D);
+
+  TermInfo info() const override;
+  std::unique_ptr<Store> make_store(int threads) const override;
+  void begin_step(const Motion& start, Store& store) const override;
+  double energy(const Motion& motion, Store& store) const override;
+  void add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const override;
+  void linearise(const Motion& motion, Definiteness, Store& store, Eigen::VectorXd& f) const override;
+  void add_product(const Store& store, double s, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override;
+  void add_matrix(const Store& store, double s, BlockMatrix& A) const override;
+  void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
+  void bind(const BlockPattern& pattern) override;
+  double largest_step(const Motion& motion, const Eigen::VectorXd& dx) const override;
+
+  // Signed distance [m] of a point, positive outside, and its gradient.
+  double distance(const Vec3& x, Vec3& normal) const;
+
+ private:
+  struct Blocks;
+  Vec3 at(const Eigen::VectorXd& x, int node) const;
+  Eigen::Matrix3d curvature(const Vec3& normal, double d) const;
+
+  Obstacle obstacle_;
+  std::vector<Contact> contacts_;
+  double dh_, eps_;
+  int D_;
+  std::vector<int> slot_;  // diagonal block of each contact's node
+};
+
+}  // namespace sim

@@ -1,0 +1,48 @@
+#include "sim/term/traction.h"
+
+#include <sstream>
+
+#include "sim/element/list.h"
+#include "sim/mesh/geometry.h"
+
+namespace sim {
+
+TractionLoad::TractionLoad(const Body& body, const Traction& traction, const Eigen::MatrixXi& facets, int first_node,
+                           const Eigen::VectorXd& X, int D)
+    : body_(body.name), traction_(traction), load_(Eigen::VectorXd::Zero(X.size())), X_(X) {
+  visit_mesh(body.mesh, [&]<class Element, int Dim>(std::type_identity<Element>, std::integral_constant<int, Dim>) {
+    using Facet = typename Element::Facet;
+    const double thickness = Facet::dimension == 1 ? body.thickness : 1.0;
+    for (Eigen::Index k = 0; k < facets.cols(); ++k) {
+      const auto X_f = gather<Facet, Dim>(body.mesh.X, facets.col(k).data());
+      for (const auto& q : Facet::rule) {
+        const auto N = Facet::N(q.xi);
+        const double dA = q.weight * thickness * measure_ratio(jacobian<Facet>(X_f, q.xi));
+        area_ += dA;
+        for (int a = 0; a < Facet::nodes; ++a)
+          load_.segment(static_cast<Eigen::Index>(first_node + facets(a, k)) * D, D) += N[a] * dA * traction.value.head(D);
+      }
+    }
+  });
+}
+
+TermInfo TractionLoad::info() const {
+  std::ostringstream what;
+  what << "(" << traction_.value.x() << ", " << traction_.value.y() << ", " << traction_.value.z() << ") Pa on " << area_
+       << " m^2";
+  return {"traction " + body_, what.str()};
+}
+
+double TractionLoad::share(double t) const {
+  if (t >= traction_.ramp) return 1;
+  const double tau = std::max(t, 0.0) / traction_.ramp;
+  return tau * tau * (3 - 2 * tau);
+}
+
+double TractionLoad::energy(const Motion& motion, Store&) const {
+  return -share(motion.t) * load_.dot(motion.x - X_);
+}
+
+void TractionLoad::add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const { f += share(motion.t) * load_; }
+
+}  // namespace sim

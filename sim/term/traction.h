@@ -1,0 +1,29 @@
+// A dead load on boundary facets: U = -s(t) sum_facets int N_i T . (x_i - X_i) dA, T per rest area [Pa].
+// s(t) rises smoothly from 0 to 1 over the ramp: s = tau^2 (3 - 2 tau), tau = t/ramp.
+#pragma once
+
+#include "sim/term/term.h"
+
+namespace sim {
+
+class TractionLoad final : public Term {
+ public:
+  // facets: nodes per facet x facets, numbers in the body's mesh. X (rest positions) must outlive the term.
+  TractionLoad(const Body& body, const Traction& traction, const Eigen::MatrixXi& facets, int first_node,
+               const Eigen::VectorXd& X, int D);
+
+  TermInfo info() const override;
+  double energy(const Motion& motion, Store&) const override;
+  void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
+
+ private:
+  double share(double t) const;
+
+  std::string body_;
+  Traction traction_;
+  double area_ = 0;        // m^2
+  Eigen::VectorXd load_;   // N at full load, D numbers per node of the system
+  const Eigen::VectorXd& X_;
+};
+
+}  // namespace sim

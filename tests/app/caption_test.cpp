@@ -1,0 +1,31 @@
+#include "app/caption.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/mesh/generate.h"
+
+namespace app {
+namespace {
+
+TEST(Caption, NamesStandForLiveValues) {
+  sim::Scene scene;
+  scene.time.fps = 20;
+  scene.time.substeps = 2;
+  scene.bodies.resize(1);
+  scene.bodies[0].mesh = sim::generate_box({1, 1, 1}, {1, 1, 1}, {1, 1, 1}, sim::ElementKind::tet4);
+  scene.bodies[0].materials = {sim::MaterialSpec{}};
+  const sim::System system(scene);
+  Moment moment{15, 4, system.initial_state()};
+  moment.state.step = 30;
+  moment.state.v.setZero();
+  for (Eigen::Index i = 0; i < moment.state.v.size(); i += 3) moment.state.v[i] = 3;
+  EXPECT_EQ(caption("t = {t} s, frame {frame}", system, moment), "t = 0.75 s, frame 15");
+  EXPECT_EQ(caption("h = {step}, {iterations} iterations", system, moment), "h = 0.025, 4 iterations");
+  // 1000 kg at 3 m/s, half a metre above the level where gravity has no energy
+  EXPECT_EQ(caption("{energy}", system, moment), "9405");
+  EXPECT_EQ(caption("{nothing} {open", system, moment), "{nothing} {open");
+  EXPECT_EQ(caption("", system, moment), "");
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,140 @@
+// The command line: what it fills in, and what it refuses.
+#include "app/cli.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace app {
+namespace {
+
+struct Result {
+  std::optional<Options> options;
+  std::string out, err;
+  int exit_code = 0;
+};
+
+Result parse(const std::vector<std::string>& arguments) {
+  Result result;
+  std::ostringstream out, err;
+  result.options = parse_command_line(arguments, out, err, result.exit_code);
+  result.out = out.str();
+  result.err = err.str();
+  return result;
+}
+
+TEST(CommandLine, EveryOptionOfRecordArrives) {
+  const Result result =
+      parse({"record", "bear.toml", "-o",      "runs/1",      "--size",  "320x180",       "--threads", "2",
+             "--seed", "7",         "--quiet", "--overwrite", "--vtu",   "--every",       "3",         "--settings",
+             "s.toml", "--video",   "a.mp4",   "--set",       "a.b=c=d", "--seconds=1.5", "--fps",     "24"});
+  ASSERT_TRUE(result.options) << result.err;
+  const Options& options = *result.options;
+  EXPECT_EQ(options.command, Command::record);
+  EXPECT_EQ(options.scene, "bear.toml");
+  EXPECT_EQ(options.out, "runs/1");
+  EXPECT_EQ(options.width, 320);
+  EXPECT_EQ(options.height, 180);
+  EXPECT_EQ(options.threads, 2);
+  EXPECT_EQ(options.seed, 7U);
+  EXPECT_TRUE(options.quiet && options.overwrite && options.vtu);
+  EXPECT_FALSE(options.still);
+  EXPECT_EQ(options.every, 3);
+  EXPECT_EQ(options.settings, "s.toml");
+  EXPECT_EQ(options.video, "a.mp4");
+  ASSERT_EQ(options.overrides.size(), 3U);
+  EXPECT_EQ(options.overrides[0].key, "a.b");
+  EXPECT_EQ(options.overrides[0].value, "c=d");
+  EXPECT_EQ(options.overrides[0].origin, "--set a.b=c=d");
+  EXPECT_EQ(options.overrides[1].key, "time.seconds");
+  EXPECT_EQ(options.overrides[1].value, "1.5");
+  EXPECT_EQ(options.overrides[1].origin, "--seconds 1.5");
+  EXPECT_EQ(options.overrides[2].key, "time.fps");
+}
+
+TEST(CommandLine, OverridesKeepTheirOrder) {
+  const Result result = parse({"run", "a.toml", "--set", "time.fps=1", "--fps", "2", "--set", "time.fps=3", "--set",
+                               "body.0.pin=[{group = \"left\"}]"});
+  ASSERT_TRUE(result.options) << result.err;
+  ASSERT_EQ(result.options->overrides.size(), 4U);
+  EXPECT_EQ(result.options->overrides[0].value, "1");
+  EXPECT_EQ(result.options->overrides[1].value, "2");
+  EXPECT_EQ(result.options->overrides[2].value, "3");
+  EXPECT_EQ(result.options->overrides[3].value, "[{group = \"left\"}]");
+}
+
+TEST(CommandLine, DefaultsAreFilledIn) {
+  const Result result = parse({"run", "scenes/bear.toml"});
+  ASSERT_TRUE(result.options) << result.err;
+  EXPECT_EQ(result.options->command, Command::run);
+  EXPECT_GE(result.options->threads, 1);
+  EXPECT_EQ(result.options->width, 1280);
+  EXPECT_EQ(result.options->height, 720);
+  EXPECT_TRUE(result.options->overrides.empty());
+  EXPECT_TRUE(result.options->resume.empty());
+}
+
+TEST(CommandLine, ExplainPrintsKeysWithoutAScene) {
+  const Result keys = parse({"explain", "--keys"});
+  ASSERT_TRUE(keys.options) << keys.err;
+  EXPECT_EQ(keys.options->command, Command::explain);
+  EXPECT_TRUE(keys.options->keys);
+  EXPECT_EQ(parse({"explain"}).exit_code, 2);
+  EXPECT_FALSE(parse({"explain", "a.toml"}).options->keys);
+}
+
+TEST(CommandLine, HelpIsNotAnError) {
+  const Result top = parse({"--help"});
+  EXPECT_FALSE(top.options);
+  EXPECT_EQ(top.exit_code, 0);
+  for (const char* const command : {"record", "run", "explain"}) {
+    EXPECT_NE(top.out.find(command), std::string::npos);
+    const Result help = parse({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.out.find("--set KEY=VALUE"), std::string::npos) << help.out;
+  }
+  EXPECT_NE(parse({"record", "--help"}).out.find("1280x720"), std::string::npos);
+}
+
+TEST(CommandLine, MistakesAreBadInput) {
+  const std::vector<std::vector<std::string>> mistakes = {
+      {},
+      {"recrod", "a.toml"},
+      {"record"},
+      {"record", "a.toml", "b.toml"},
+      {"record", "a.toml", "--sizes", "1x1"},
+      {"record", "a.toml", "--size", "1280"},
+      {"record", "a.toml", "--size", "1280x"},
+      {"record", "a.toml", "--size", "x720"},
+      {"record", "a.toml", "--size", "0x720"},
+      {"record", "a.toml", "--size", "8193x720"},
+      {"record", "a.toml", "--size", "-5x720"},
+      {"record", "a.toml", "--size", "12.5x720"},
+      {"record", "a.toml", "--size", "1280x720x3"},
+      {"record", "a.toml", "--every", "0"},
+      {"record", "a.toml", "--every", "many"},
+      {"record", "a.toml", "--every", "2", "--still"},
+      {"record", "a.toml", "--threads", "0"},
+      {"record", "a.toml", "--threads", "99999999999"},
+      {"record", "a.toml", "--seed", "-1"},
+      {"record", "a.toml", "--set", "time.fps"},
+      {"record", "a.toml", "--set", "=3"},
+      {"record", "a.toml", "--set"},
+      {"run", "a.toml", "--size", "1x1"},
+      {"run", "a.toml", "--resume", "d", "-o", "e"},
+      {"explain", "a.toml", "-o", "d"},
+      {"explain", "a.toml", "--keys"},
+  };
+  for (const std::vector<std::string>& arguments : mistakes) {
+    const Result result = parse(arguments);
+    EXPECT_FALSE(result.options) << testing::PrintToString(arguments);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments);
+    EXPECT_FALSE(result.err.empty()) << testing::PrintToString(arguments);
+  }
+  EXPECT_NE(parse({"record", "a.toml", "--size", "0x720"}).err.find("--size 0x720: must be WIDTHxHEIGHT"),
+            std::string::npos);
+  EXPECT_NE(parse({"record", "a.toml", "--set", "fps"}).err.find("--set fps: must be KEY=VALUE"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,73 @@
+#include "app/view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace app {
+namespace {
+
+Vec3 vec(const render::Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
+const Eigen::AlignedBox3d kBox{Vec3(-1, 0, 2), Vec3(3, 1, 3)};
+
+// Whether a point lies within the picture of a perspective camera.
+bool is_seen(const render::Camera& camera, const Vec3& point, double aspect) {
+  const Vec3 ahead = (vec(camera.target) - vec(camera.eye)).normalized();
+  const Vec3 right = ahead.cross(vec(camera.up)).normalized();
+  const Vec3 ray = point - vec(camera.eye);
+  const double depth = ray.dot(ahead);
+  const double slope = std::tan(camera.field_of_view / 2 * std::numbers::pi / 180);
+  return depth > 0 && std::abs(ray.dot(right.cross(ahead))) < slope * depth &&
+         std::abs(ray.dot(right)) < aspect * slope * depth;
+}
+
+TEST(View, AllIsSeenWhateverTheShapeOfThePicture) {
+  for (const double aspect : {16.0 / 9, 1.0, 0.25}) {
+    for (const Vec3& up : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)}) {
+      Camera camera;
+      camera.up = up;
+      const render::Camera view = view_of(camera, kBox, 3, aspect);
+      for (int i = 0; i < 8; ++i) {
+        EXPECT_TRUE(is_seen(view, kBox.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)), aspect)) << aspect;
+      }
+      EXPECT_GT((vec(view.eye) - vec(view.target)).dot(up), 0);  // from above
+    }
+  }
+}
+
+TEST(View, WhatTheSceneNamesIsTaken) {
+  Camera camera;
+  camera.eye = Vec3(2, 0.5, 7);
+  camera.target = Vec3(2, 0, 0.5);
+  camera.fov = 50;
+  const render::Camera view = view_of(camera, kBox, 3, 1.5);
+  EXPECT_EQ(view.eye, (render::Point{2, 0.5F, 7}));
+  EXPECT_EQ(view.target, (render::Point{2, 0, 0.5F}));
+  EXPECT_FLOAT_EQ(view.field_of_view, 50);
+  EXPECT_FALSE(view.orthographic);
+}
+
+TEST(View, AWidePlaneSceneFitsInWidth) {
+  const Eigen::AlignedBox3d wide{Vec3(0, 0, 0), Vec3(8, 1, 0)};
+  const render::Camera view = view_of({}, wide, 2, 2.0);
+  EXPECT_TRUE(view.orthographic);
+  EXPECT_EQ(view.target, (render::Point{4, 0.5F, 0}));
+  EXPECT_FLOAT_EQ(view.height, 5);  // 8 m and a quarter more, over the aspect
+}
+
+TEST(View, TheFloorIsBelowTheLowestPoint) {
+  Look look;
+  const auto ground = ground_of(look, Vec3(0, 0, 1), kBox);
+  EXPECT_NEAR(ground->point[2], 2 - 0.004, 1e-6);
+  look.ground_height = -5;
+  EXPECT_FLOAT_EQ(ground_of(look, Vec3(0, 1, 0), kBox)->point[1], -5);
+  look.ground = false;
+  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), kBox).has_value());
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,62 @@
+// One input of the fuzzer for mesh files, and what must hold for whatever it is: a mesh that is whole, or a FileError.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/error.h"
+#include "app/files/msh.h"
+#include "app/files/obj.h"
+#include "app/files/tetgen.h"
+#include "sim/mesh/mesh.h"
+
+namespace app {
+
+inline bool in_range(const Eigen::MatrixXi& indices, int count) {
+  return indices.size() == 0 || (indices.minCoeff() >= 0 && indices.maxCoeff() < count);
+}
+
+inline bool in_range(const std::vector<int>& indices, int count) {
+  for (const int i : indices) {
+    if (i < 0 || i >= count) return false;
+  }
+  return true;
+}
+
+// Finite coordinates, no index out of range, no node without an element.
+inline bool is_whole(const sim::Mesh& mesh) {
+  if (mesh.element_count() == 0 || !mesh.X.allFinite() || !in_range(mesh.elements, mesh.node_count())) return false;
+  for (const sim::Group& group : mesh.groups) {
+    if (!in_range(group.nodes, mesh.node_count()) || !in_range(group.elements, mesh.element_count()) ||
+        !in_range(group.facets, mesh.node_count())) {
+      return false;
+    }
+  }
+  std::vector<bool> used(static_cast<std::size_t>(mesh.node_count()));
+  for (const int node : mesh.elements.reshaped()) used[static_cast<std::size_t>(node)] = true;
+  return std::find(used.begin(), used.end(), false) == used.end();
+}
+
+// A Gmsh file starts with $, TetGen's two are joined by the first %, all else is Wavefront.
+inline sim::Mesh read_any(std::string_view input, std::vector<std::string>& remarks) {
+  if (input.starts_with('$')) return read_msh(input, "fuzz.msh", remarks);
+  const std::size_t joint = input.find('%');
+  if (joint == input.npos) return read_obj(input, "fuzz.obj", remarks);
+  return read_tetgen(input.substr(0, joint), "fuzz.node", input.substr(joint + 1), "fuzz.ele", remarks);
+}
+
+// True when a mesh was read, false when the input was refused. Aborts on a mesh that is not whole.
+inline bool try_mesh_input(std::string_view input) {
+  std::vector<std::string> remarks;
+  try {
+    if (!is_whole(read_any(input, remarks))) std::abort();
+    return true;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+}  // namespace app

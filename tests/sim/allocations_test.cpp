@@ -1,0 +1,92 @@
+#include "tests/sim/allocations.h"
+
+#include <SuiteSparse_config.h>
+
+#include <atomic>
+#include <cstddef>
+
+#include "tests/sim/stepping.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+
+namespace sim::test {
+bool can_count_allocations() { return false; }
+void start_counting() {}
+long stop_counting() { return 0; }
+}  // namespace sim::test
+
+#else
+
+namespace {
+std::atomic<bool> counting = false;
+std::atomic<long> count = 0;
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+void* malloc(std::size_t size) {
+  if (counting) ++count;
+  return __libc_malloc(size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  if (counting) ++count;
+  return __libc_memalign(alignment, size);
+}
+}
+
+namespace sim::test {
+bool can_count_allocations() { return true; }
+void start_counting() {
+  SuiteSparse_config.malloc_func = __libc_malloc;
+  SuiteSparse_config.calloc_func = __libc_calloc;
+  SuiteSparse_config.realloc_func = __libc_realloc;
+  count = 0;
+  counting = true;
+}
+long stop_counting() {
+  counting = false;
+  return count;
+}
+}  // namespace sim::test
+
+#endif
+
+namespace sim {
+namespace {
+
+TEST(Allocations, ACountIsSeen) {
+  if (!test::can_count_allocations()) GTEST_SKIP();
+  test::start_counting();
+  std::vector<double>* v = new std::vector<double>(100);
+  const Eigen::VectorXd e = Eigen::VectorXd::Ones(100);
+  const long count = test::stop_counting();
+  EXPECT_EQ(e.sum(), v->size());
+  delete v;
+  EXPECT_GE(count, 3);
+}
+
+// After the first step a step allocates nothing, whatever scheme and solver.
+TEST(Allocations, NoneInAStepAfterTheFirst) {
+  if (!test::can_count_allocations()) GTEST_SKIP();
+  for (const char* integrator : {"symplectic-euler", "central-difference", "backward-euler", "sdirk2", "tr-bdf2", "bdf2"})
+    for (const char* linear : {"cholmod", "pcg", "pcg-assembled"}) {
+      Scene scene = test::beam("tet4", 2);
+      scene.time.integrator = integrator;
+      scene.time.substeps = 20;
+      scene.solver.linear = linear;
+      scene.bodies[0].damping = {0.1, 1e-4};
+      test::Stepped run(scene);
+      run.steps(4);
+      test::start_counting();
+      run.stepper->step(run.state);
+      const long count = test::stop_counting();
+      EXPECT_EQ(count, 0) << integrator << " " << linear;
+    }
+}
+
+}  // namespace
+}  // namespace sim

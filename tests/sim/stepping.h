@@ -1,0 +1,43 @@
+// A scene that is stepped: for the tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/scenes.h"
+
+namespace sim::test {
+
+// The cantilever of the design, 4 x 1 x 1 m, n cells across; clamped at x = 0, gravity along -z.
+inline Scene beam(const char* element, int n, double young = 1e6, double poisson = 0.45) {
+  Scene scene;
+  Body body;
+  body.name = "beam";
+  body.mesh = generate_box({4, 1, 1}, {4 * n, n, n}, {1, 1, 1}, find_element(element)->kind);
+  body.materials = {MaterialSpec{"stable-neo-hookean", young, poisson, 1000, ""}};
+  body.pins = {Pin{Box{{-1e-6, -1, -1}, {1e-6, 2, 2}}, "xyz", {}, {}}};
+  scene.world.gravity = {0, 0, -9.81};
+  scene.probes = {{"tip", "beam", {4, 0.5, 0.5}}};
+  scene.bodies = {body};
+  return scene;
+}
+
+struct Stepped {
+  System system;
+  State state;
+  std::unique_ptr<Stepper> stepper;
+  StepReport last;
+
+  explicit Stepped(const Scene& scene, int threads = 1)
+      : system(scene, threads), state(system.initial_state()), stepper(make_stepper(system, threads)) {}
+
+  void steps(int count) {
+    for (int k = 0; k < count; ++k) {
+      last = stepper->step(state);
+      ASSERT_EQ(last.failure, "") << "step " << last.step;
+      ASSERT_TRUE(last.converged) << "step " << last.step << ", residual " << last.residual;
+    }
+  }
+  Vec3 tip() const { return system.probe_displacement(state, 0); }
+};
+
+}  // namespace sim::test
