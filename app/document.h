@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Document {
   std::string title;
   sim::Scene scene;
   std::vector<MeshSpec> meshes;  // body by body: the description that scene.bodies[i].mesh was made from
+  std::vector<std::optional<Vec3>> references;  // probe by probe: the displacement it should have at the end [m]
   Camera camera;
   Look look;
   std::vector<std::string> remarks;  // what the user should know: step chosen, elements mended

@@ -20,6 +20,22 @@ std::string failure_text(const Simulation& simulation, const Outcome& outcome) {
   return text + ": " + outcome.failure.failure;
 }
 
+// Probes that know what they should show: value, reference and error.
+void print_references(const Simulation& simulation, const Outcome& outcome) {
+  const Document& document = simulation.document;
+  for (std::size_t k = 0; k < document.references.size(); ++k) {
+    if (!document.references[k]) continue;
+    const Vec3 is = simulation.system->probe_displacement(outcome.run.state, static_cast<int>(k)), should = *document.references[k];
+    for (int c = 0; c < simulation.system->dimension(); ++c) {
+      if (should[c] == 0) continue;
+      char line[160];
+      std::snprintf(line, sizeof line, "%s.u%c = %.6g m, reference %.6g m, error %.3g %%\n",
+                    document.scene.probes[k].name.c_str(), "xyz"[c], is[c], should[c], 100 * (is[c] / should[c] - 1));
+      std::cout << line;
+    }
+  }
+}
+
 }  // namespace
 
 int conclude(const Simulation& simulation, const Options& options, const RunFolder& folder, const Outcome& outcome) {
@@ -28,7 +44,10 @@ int conclude(const Simulation& simulation, const Options& options, const RunFold
     std::cerr << "note: " << not_converged << " of " << outcome.run.state.step
               << " steps did not converge (solver.max_iterations reached)\n";
   }
-  if (outcome.status == Status::done) return kDone;
+  if (outcome.status == Status::done) {
+    print_references(simulation, outcome);
+    return kDone;
+  }
   const std::string saved = folder.state().string();
   if (outcome.status == Status::interrupted) {
     std::cerr << "ritz: interrupted after step " << outcome.run.state.step << " of " << simulation.last_step()

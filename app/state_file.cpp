@@ -1,7 +1,7 @@
 #include "app/state_file.h"
 
-#include <array>
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -74,21 +74,39 @@ class Reader {
   std::string name_;
 };
 
-void read_state(Reader& reader, sim::State& state) {
-  std::array<std::uint64_t, 4> lengths{};
-  for (std::uint64_t& length : lengths) length = reader.number<std::uint64_t>();
-  state.x = reader.vector(lengths[0]);
-  state.v = reader.vector(lengths[1]);
-  state.x_before = reader.vector(lengths[2]);
-  state.v_before = reader.vector(lengths[3]);
+// One field of a state: how it is written, how it is read.
+void put_field(std::string& bytes, const Eigen::VectorXd& values) {
+  put(bytes, static_cast<std::uint64_t>(values.size()));
+  put(bytes, values);
+}
+void put_field(std::string& bytes, std::int64_t value) {
+  put(bytes, value);
+}
+void put_field(std::string& bytes, double value) {
+  put(bytes, value);
+}
+void take_field(Reader& reader, Eigen::VectorXd& values) {
+  values = reader.vector(reader.number<std::uint64_t>());
+}
+void take_field(Reader& reader, std::int64_t& value) {
+  value = reader.integer();
+}
+void take_field(Reader& reader, double& value) {
+  value = reader.real();
 }
 
 bool plausible(const sim::State& state) {
-  const auto fits = [&](const Eigen::VectorXd& before) {
-    return before.size() == 0 || before.size() == state.x.size();
-  };
-  return state.step >= 0 && state.v.size() == state.x.size() && fits(state.x_before) && fits(state.v_before) &&
-         state.x.allFinite() && state.v.allFinite() && state.x_before.allFinite() && state.v_before.allFinite();
+  bool good = state.step >= 0 && state.v.size() == state.x.size() && std::abs(state.kept.definiteness) <= 1;
+  for_each_field(state, [&](const auto& field) {
+    if constexpr (requires { field.allFinite(); })
+      good = good && field.allFinite() && (field.size() == 0 || field.size() == state.x.size());
+    else
+      good = good && std::isfinite(static_cast<double>(field));
+  });
+  // A factor that is held was made somewhere.
+  return good && (state.kept.valid == 0 || (state.kept.x.size() == state.x.size() && state.kept.v.size() == state.x.size() &&
+                                            state.kept.x_begin.size() == state.x.size() &&
+                                            state.kept.v_begin.size() == state.x.size()));
 }
 
 }  // namespace
@@ -98,14 +116,9 @@ std::string encode(const SavedRun& run) {
   std::string bytes(kMagic);
   put(bytes, kFormat);
   put(bytes, run.scene);
-  for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged, state.step}) {
-    put(bytes, count);
-  }
+  for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged}) put(bytes, count);
   put(bytes, run.totals.min_J);
-  for (const Eigen::VectorXd* values : {&state.x, &state.v, &state.x_before, &state.v_before}) {
-    put(bytes, static_cast<std::uint64_t>(values->size()));
-  }
-  for (const Eigen::VectorXd* values : {&state.x, &state.v, &state.x_before, &state.v_before}) put(bytes, *values);
+  for_each_field(state, [&](const auto& field) { put_field(bytes, field); });
   put(bytes, checksum(bytes));
   return bytes;
 }
@@ -119,11 +132,11 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
   }
   SavedRun run;
   run.scene = reader.number<std::uint64_t>();
-  for (std::int64_t* count : {&run.totals.newton, &run.totals.linear, &run.totals.not_converged, &run.state.step}) {
+  for (std::int64_t* count : {&run.totals.newton, &run.totals.linear, &run.totals.not_converged}) {
     *count = reader.integer();
   }
   run.totals.min_J = reader.real();
-  read_state(reader, run.state);
+  for_each_field(run.state, [&](auto& field) { take_field(reader, field); });
   if (reader.left() != kChecksumBytes) reader.fail("has the wrong length");
   const std::uint64_t expected = checksum(bytes.substr(0, bytes.size() - kChecksumBytes));
   if (reader.number<std::uint64_t>() != expected) reader.fail("is damaged (wrong checksum)");

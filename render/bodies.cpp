@@ -25,16 +25,18 @@ constexpr std::string_view surface_inputs = R"(
 in vec3 world;
 in vec3 direction;
 in float scaled;
-uniform vec4 base;      // linear light, opacity
-uniform bool coloured;  // by value instead of base
-uniform sampler2D colours;
+uniform vec4 base;    // linear light, opacity
 out vec4 colour;
 
+#ifdef COLOURED
+uniform sampler2D colours;
 vec3 albedo() {
-  if (!coloured) return base.rgb;
   float entries = float(textureSize(colours, 0).x);
   return textureLod(colours, vec2((clamp(scaled, 0.0, 1.0) * (entries - 1.0) + 0.5) / entries, 0.5), 0.0).rgb;
 }
+#else
+vec3 albedo() { return base.rgb; }
+#endif
 
 // The sRGB curve by square roots instead of powers: within a tenth of a level.
 vec3 to_srgb(vec3 light) {
@@ -108,20 +110,27 @@ void main() { colour = ink; }
 }  // namespace
 
 Bodies::Bodies(const GladGLContext& gl)
-    : gl_(gl),
-      solid_(make_program(gl, {frame_block, vertex_attributes, vertex_stage},
-                          {frame_block, visibility_lookup, surface_inputs, solid_fragment})),
-      inside_(make_program(gl, {frame_block, vertex_attributes, vertex_stage},
-                           {frame_block, surface_inputs, inside_fragment})),
-      flat_(make_program(gl, {frame_block, vertex_attributes, vertex_stage}, {surface_inputs, flat_fragment})),
-      ghost_(make_program(gl, {frame_block, vertex_attributes, vertex_stage},
-                          {frame_block, surface_inputs, ghost_fragment})),
-      lines_(make_program(gl, {frame_block, vertex_attributes, lines_vertex}, {lines_fragment})) {
+    : gl_(gl), lines_(make_program(gl, {frame_block, vertex_attributes, lines_vertex}, {lines_fragment})) {
+  const auto make = [&](const char* switches, const Sources& fragment) {
+    Sources pieces{switches, frame_block};
+    pieces.insert(pieces.end(), fragment.begin(), fragment.end());
+    return make_program(gl, {frame_block, vertex_attributes, vertex_stage}, pieces);
+  };
+  for (const bool coloured : {false, true}) {
+    const char* switches = coloured ? "#define COLOURED\n" : "\n";
+    Programs& programs = coloured ? by_value_ : plain_;
+    programs.solid = make(switches, {visibility_lookup, surface_inputs, solid_fragment});
+    programs.inside = make(switches, {surface_inputs, inside_fragment});
+    programs.flat = make(switches, {surface_inputs, flat_fragment});
+    programs.ghost = make(switches, {surface_inputs, ghost_fragment});
+  }
   float widths[2] = {1, 1};
   gl.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths);
   widest_line_ = widths[1];
-  const ColourScale any;
-  use_scale(&any);
+}
+
+const Bodies::Programs& Bodies::programs_for(const Surface& surface) const {
+  return surface.values.empty() ? plain_ : by_value_;
 }
 
 void Bodies::use_scale(const ColourScale* scale) {
@@ -137,15 +146,15 @@ void Bodies::use_surface(const GlObject& program, const Surface& surface, float 
   gl_.UseProgram(program.name());
   const Eigen::Vector3f base = to_linear(surface.colour);
   gl_.Uniform4f(gl_.GetUniformLocation(program.name(), "base"), base.x(), base.y(), base.z(), opacity);
-  gl_.Uniform1i(gl_.GetUniformLocation(program.name(), "coloured"), surface.values.empty() ? 0 : 1);
-  use_texture(gl_, program, "colours", 1, colours_);
+  if (!surface.values.empty()) use_texture(gl_, program, "colours", 1, colours_);
 }
 
 void Bodies::draw_solid(const Surface& surface, const SurfaceBuffer& buffer, const GlObject& visibility,
                         const Rect& region, bool inside_shows) const {
-  use_surface(solid_, surface, 1);
-  use_texture(gl_, solid_, "visibility", 0, visibility);
-  gl_.Uniform2i(gl_.GetUniformLocation(solid_.name(), "origin"), region.x, region.y);
+  const Programs& programs = programs_for(surface);
+  use_surface(programs.solid, surface, 1);
+  use_texture(gl_, programs.solid, "visibility", 0, visibility);
+  gl_.Uniform2i(gl_.GetUniformLocation(programs.solid.name(), "origin"), region.x, region.y);
   if (!buffer.closed()) {
     buffer.draw_triangles();
     return;
@@ -155,7 +164,7 @@ void Bodies::draw_solid(const Surface& surface, const SurfaceBuffer& buffer, con
   buffer.draw_triangles();
   if (inside_shows) {
     // Lit simply, because with multisampling all of it is shaded, seen or not.
-    use_surface(inside_, surface, 1);
+    use_surface(programs.inside, surface, 1);
     gl_.CullFace(GL_FRONT);
     buffer.draw_triangles();
   }
@@ -163,14 +172,14 @@ void Bodies::draw_solid(const Surface& surface, const SurfaceBuffer& buffer, con
 }
 
 void Bodies::draw_flat(const Surface& surface, const SurfaceBuffer& buffer) const {
-  use_surface(flat_, surface, 1);
+  use_surface(programs_for(surface).flat, surface, 1);
   buffer.draw_triangles();
 }
 
 // Depth first, so that the ghost's far side does not show through; pushed back, so that a body that stands where it
 // rested hides it.
 void Bodies::draw_ghost(const Surface& surface, const SurfaceBuffer& buffer) const {
-  use_surface(ghost_, surface, 0.55F);
+  use_surface(programs_for(surface).ghost, surface, 0.55F);
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1, 4);
   gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 #include "render/canvas.h"
 #include "render/gl.h"
@@ -27,11 +28,16 @@ class Bodies {
   void draw_outline(const SurfaceBuffer& buffer, const Eigen::Vector4f& colour, float width) const;
 
  private:
+  struct Programs {
+    GlObject solid, inside, flat, ghost;
+  };
+  const Programs& programs_for(const Surface& surface) const;
   void use_surface(const GlObject& program, const Surface& surface, float opacity) const;
   void use_lines(const Eigen::Vector4f& colour, float width) const;
 
   const GladGLContext& gl_;
-  GlObject solid_, inside_, flat_, ghost_, lines_, colours_;
+  Programs plain_, by_value_;
+  GlObject lines_, colours_;
   std::string map_;  // what colours_ holds
   float widest_line_ = 1;
 };

@@ -5,14 +5,9 @@
 
 #include "render/gl.h"
 #include "render/image.h"
+#include "render/rect.h"
 
 namespace render {
-
-// Pixels low x, low y, width, height; origin at the lower left.
-struct Rect {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool empty() const { return width <= 0 || height <= 0; }
-};
 
 // Background and text need no multisampling; bodies do. In software every sample costs, so only the rectangle that
 // bodies cover is multisampled: it starts as a copy of the picture and is resolved back into it. Colours are stored

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace render {
 
@@ -69,7 +68,7 @@ GlObject make_renderbuffer(const GladGLContext& gl, GLenum internal_format, int 
 
 namespace {
 
-GlObject compile(const GladGLContext& gl, GLenum stage, Sources pieces) {
+GlObject compile(const GladGLContext& gl, GLenum stage, const Sources& pieces) {
   GlObject shader(gl, gl.CreateShader(stage), [](const GladGLContext& g, GLuint n) { g.DeleteShader(n); });
   std::vector<const char*> texts{"#version 330 core\n"};
   std::vector<GLint> lengths{-1};
@@ -92,7 +91,7 @@ GlObject compile(const GladGLContext& gl, GLenum stage, Sources pieces) {
 
 }  // namespace
 
-GlObject make_program(const GladGLContext& gl, Sources vertex, Sources fragment) {
+GlObject make_program(const GladGLContext& gl, const Sources& vertex, const Sources& fragment) {
   const GlObject vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex);
   const GlObject fragment_shader = compile(gl, GL_FRAGMENT_SHADER, fragment);
   GlObject program(gl, gl.CreateProgram(), [](const GladGLContext& g, GLuint n) { g.DeleteProgram(n); });

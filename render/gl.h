@@ -3,9 +3,9 @@
 
 #include <glad/gl.h>
 
-#include <initializer_list>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "render/context.h"
 
@@ -62,8 +62,8 @@ GlObject make_renderbuffer(const GladGLContext& gl, GLenum internal_format, int 
 
 // A linked program; each stage is the concatenation of its pieces behind "#version 330 core". Throws std::runtime_error
 // with the compiler's message (our bug, or a driver's).
-using Sources = std::initializer_list<std::string_view>;
-GlObject make_program(const GladGLContext& gl, Sources vertex, Sources fragment);
+using Sources = std::vector<std::string_view>;
+GlObject make_program(const GladGLContext& gl, const Sources& vertex, const Sources& fragment);
 
 // A vertex stage that covers the viewport with one triangle at the far plane: DrawArrays(GL_TRIANGLES, 0, 3).
 inline constexpr std::string_view cover_vertex = R"(

@@ -25,14 +25,13 @@ struct FrameBlock {
   Eigen::Matrix4f world_to_clip;
   Eigen::Matrix4f clip_to_world;
   Eigen::Matrix4f world_to_light;
-  Eigen::Vector4f eye;           // xyz: eye; w: 1 for a parallel camera, else 0
-  Eigen::Vector4f forward;       // xyz: unit, along the view; w: visible height at the target
-  Eigen::Vector4f key;           // xyz: unit, towards the key light
-  Eigen::Vector4f fill;          // xyz: unit, towards the fill light
-  Eigen::Vector4f up;            // xyz: unit
-  Eigen::Vector4f depth_range;   // near, far
-  Eigen::Vector4f size;          // picture width, height; width, height of the visibility buffer
-  Eigen::Vector4f visible_rect;  // picture pixels with a visibility buffer, origin bottom left: low x, y, high x, y
+  Eigen::Vector4f eye;          // xyz: eye; w: 1 for a parallel camera, else 0
+  Eigen::Vector4f forward;      // xyz: unit, along the view; w: visible height at the target
+  Eigen::Vector4f key;          // xyz: unit, towards the key light
+  Eigen::Vector4f fill;         // xyz: unit, towards the fill light
+  Eigen::Vector4f up;           // xyz: unit
+  Eigen::Vector4f depth_range;  // near, far
+  Eigen::Vector4f size;         // picture width, height; width, height of the visibility buffer
 };
 
 // The same in GLSL, with what every stage needs of it.
@@ -48,7 +47,6 @@ layout(std140) uniform Frame {
   vec4 up;
   vec4 depth_range;
   vec4 size;
-  vec4 visible_rect;
 };
 
 // Distance along the view from the depth d of a pixel, 0 to 1.

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <stdexcept>
 #include <string>
@@ -36,23 +35,6 @@ int checked_samples(int samples) {
   return samples;
 }
 
-// The pixels that a set of points covers, with a margin; all of the picture when one of them lies behind the eye.
-Rect rect_around(const std::vector<Eigen::Vector3f>& points, const View& view, int width, int height, float margin) {
-  Eigen::Vector2f low(1e9F, 1e9F), high(-1e9F, -1e9F);
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f window = view.to_window(point, width, height);
-    if (!view.orthographic && window.z() < view.near_distance) return {0, 0, width, height};
-    const Eigen::Vector2f pixel(window.x(), static_cast<float>(height) - window.y());
-    low = low.cwiseMin(pixel);
-    high = high.cwiseMax(pixel);
-  }
-  const Eigen::Vector2f most(static_cast<float>(width), static_cast<float>(height));
-  low = (low.array() - margin).max(0).min(most.array());
-  high = (high.array() + margin).max(0).min(most.array());
-  const int x = static_cast<int>(std::floor(low.x())), y = static_cast<int>(std::floor(low.y()));
-  return {x, y, static_cast<int>(std::ceil(high.x())) - x, static_cast<int>(std::ceil(high.y())) - y};
-}
-
 }  // namespace
 
 // The stages of a picture, and what they keep from frame to frame.
@@ -70,9 +52,10 @@ struct Renderer::Parts {
         block(make_buffer(gl)) {}
 
   void update(const Frame& frame, const View& view);
-  void upload_block(const Frame& frame, const View& view, const Bounds& bounds);
-  Rect shaded_rect(const Frame& frame, const View& view, const Bounds& bounds, const Light& light) const;
-  void draw_bodies(const Frame& frame, const View& view, const Rect& region);
+  void find_rects(const Frame& frame, const View& view, const Bounds& bounds, const Light& light);
+  void upload_block(const View& view, const Bounds& bounds, const Light& light);
+  void draw_light(const Frame& frame, const View& view);
+  void draw_bodies(const Frame& frame, const View& view);
 
   Context& context;
   GladGLContext gl;
@@ -87,9 +70,11 @@ struct Renderer::Parts {
   std::deque<SurfaceBuffer> buffers;  // solids, then ghosts; a deque, because lists hold pointers into it
   std::vector<Surface> glyphs;        // obstacles and arrows of the frame
   std::vector<const Surface*> solids;
-  SurfaceList lit;  // buffers of the solids that are not flat
-  Rect visible;
-  bool inside_shows = true;  // of a closed surface; known once the visibility has been drawn
+  SurfaceList lit;           // buffers of the solids that are not flat
+  Rect region;               // what solids, ghosts and markers cover
+  Shades shades;             // where ground and planes can be darkened
+  float marker_size = 1;     // pixels
+  bool inside_shows = true;  // of a closed surface
 };
 
 // Brings every surface of the frame to the graphics side.
@@ -111,27 +96,32 @@ void Renderer::Parts::update(const Frame& frame, const View& view) {
   for (std::size_t i = 0; i < frame.ghosts.size(); ++i) buffers[solids.size() + i].update(frame.ghosts[i], scale);
 }
 
-// Where light is blocked: around the solids, and where their shadow falls on ground and planes.
-Rect Renderer::Parts::shaded_rect(const Frame& frame, const View& view, const Bounds& bounds,
-                                  const Light& light) const {
-  if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) return {};
-  std::vector<Eigen::Vector3f> points;
-  const auto fall = [&](const Eigen::Vector3f& corner, const Point& point, const Point& direction) {
-    const Eigen::Vector3f normal = to_vector(direction).normalized();
-    const float height = normal.dot(corner - to_vector(point)), slant = normal.dot(light.key);
-    if (slant > 0.05F && height > 0) points.emplace_back(corner - light.key * (height / slant));
+void Renderer::Parts::find_rects(const Frame& frame, const View& view, const Bounds& bounds, const Light& light) {
+  const int width = canvas.width(), height = canvas.height();
+  marker_size = std::max(3.0F, 0.0125F * static_cast<float>(height));
+  region = {};
+  const auto add = [&](const std::vector<float>& positions) {
+    const Eigen::Map<const Eigen::Matrix3Xf> points(positions.data(), 3,
+                                                    static_cast<Eigen::Index>(positions.size() / 3));
+    region = united(region, rect_of(points, view, width, height, 4));
   };
-  for (int k = 0; k < 8; ++k) {
-    points.push_back(bounds.corner(k));
-    if (frame.ground) fall(bounds.corner(k), frame.ground->point, frame.ground->normal);
-    for (const PlaneObstacle& plane : frame.planes) fall(bounds.corner(k), plane.point, plane.normal);
+  for (const Surface* solid : solids) add(solid->positions);
+  for (const Surface& ghost : frame.ghosts) add(ghost.positions);
+  for (const Marker& marker : frame.markers) {
+    region = united(region, rect_of(to_vector(marker.at), view, width, height, marker_size));
   }
-  return rect_around(points, view, canvas.width(), canvas.height(), 0.08F * static_cast<float>(canvas.height()));
+  shades = {{}, std::vector<Rect>(frame.planes.size())};
+  if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) return;
+  const auto shade = [&](const Point& point, const Point& normal) {
+    return shade_rect(point, normal, bounds, light.key, view, width, height, 0.1F * static_cast<float>(height));
+  };
+  if (frame.ground) shades.ground = shade(frame.ground->point, frame.ground->normal);
+  for (std::size_t i = 0; i < frame.planes.size(); ++i) {
+    shades.planes[i] = shade(frame.planes[i].point, frame.planes[i].normal);
+  }
 }
 
-void Renderer::Parts::upload_block(const Frame& frame, const View& view, const Bounds& bounds) {
-  const Light light = light_of(frame, view);
-  visible = shaded_rect(frame, view, bounds, light);
+void Renderer::Parts::upload_block(const View& view, const Bounds& bounds, const Light& light) {
   const auto four = [](const Eigen::Vector3f& v, float w) { return Eigen::Vector4f(v.x(), v.y(), v.z(), w); };
   const auto real = [](int i) { return static_cast<float>(i); };
   FrameBlock data;
@@ -145,17 +135,24 @@ void Renderer::Parts::upload_block(const Frame& frame, const View& view, const B
   data.up = four(light.up, 0);
   data.depth_range = {view.near_distance, view.far_distance, 0, 0};
   data.size = {real(canvas.width()), real(canvas.height()), real(visibility.width()), real(visibility.height())};
-  // Without a buffer no pixel lies inside.
-  data.visible_rect = {1, 1, 0, 0};
-  if (!visible.empty()) {
-    data.visible_rect = {real(visible.x), real(visible.y), real(visible.x + visible.width),
-                         real(visible.y + visible.height)};
-  }
   fill_buffer(gl, GL_UNIFORM_BUFFER, block, &data, sizeof(data));
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, block.name());
 }
 
-void Renderer::Parts::draw_bodies(const Frame& frame, const View& view, const Rect& region) {
+// Shadows and darkened creases, where there is something that they fall on.
+void Renderer::Parts::draw_light(const Frame& frame, const View& view) {
+  inside_shows = true;
+  if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) {
+    visibility.clear(view);
+    return;
+  }
+  Rect rect = united(region, shades.ground);
+  for (const Rect& shade : shades.planes) rect = united(rect, shade);
+  if (frame.look.shadow) shadow.draw(lit);
+  inside_shows = visibility.draw(frame, view, lit, backdrop, shadow, rect);
+}
+
+void Renderer::Parts::draw_bodies(const Frame& frame, const View& view) {
   const float pixel = std::max(1.0F, static_cast<float>(canvas.height()) / 720);
   backdrop.draw_depth(frame, view);
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -171,7 +168,7 @@ void Renderer::Parts::draw_bodies(const Frame& frame, const View& view, const Re
     if (frame.look.wireframe) bodies.draw_edges(buffers[i], {0.07F, 0.08F, 0.11F, 0.55F}, pixel);
     if (solids[i]->flat) bodies.draw_outline(buffers[i], {0.10F, 0.12F, 0.15F, 1}, 1.6F * pixel);
   }
-  markers.draw(frame.markers, std::max(3.0F, 0.0125F * static_cast<float>(canvas.height())));
+  markers.draw(frame.markers, marker_size);
   for (std::size_t i = 0; i < frame.ghosts.size(); ++i) {
     const SurfaceBuffer& buffer = buffers[solids.size() + i];
     bodies.draw_ghost(frame.ghosts[i], buffer);
@@ -194,28 +191,20 @@ Renderer::~Renderer() {
 Image Renderer::draw(const Frame& frame) {
   Parts& p = *parts_;
   check(frame);
-  const int width = p.canvas.width(), height = p.canvas.height();
+  const float aspect = static_cast<float>(p.canvas.width()) / static_cast<float>(p.canvas.height());
   const Bounds bounds = bounds_of(frame);
-  const View view = make_view(frame.camera, static_cast<float>(width) / static_cast<float>(height), bounds);
+  const View view = make_view(frame.camera, aspect, bounds);
+  const Light light = light_of(frame, view);
   p.context.make_current();
   p.update(frame, view);
-  p.upload_block(frame, view, bounds);
-  p.inside_shows = true;
-  if (!p.visible.empty()) {
-    if (frame.look.shadow) p.shadow.draw(p.lit);
-    p.inside_shows = p.visibility.draw(frame, view, p.lit, p.backdrop, p.shadow, p.visible);
-  }
+  p.find_rects(frame, view, bounds, light);
+  p.upload_block(view, bounds, light);
+  p.draw_light(frame, view);
   p.canvas.draw_into_picture();
-  p.backdrop.draw(frame, view, p.visibility.texture(), p.visible);
-  Rect region;
-  if (!bounds.empty()) {
-    std::vector<Eigen::Vector3f> corners;
-    for (int k = 0; k < 8; ++k) corners.push_back(bounds.corner(k));
-    region = rect_around(corners, view, width, height, 0.02F * static_cast<float>(height) + 4);
-  }
-  if (!region.empty()) {
-    p.canvas.draw_into_region(region);
-    p.draw_bodies(frame, view, region);
+  p.backdrop.draw(frame, view, p.visibility.texture(), p.shades);
+  if (!p.region.empty()) {
+    p.canvas.draw_into_region(p.region);
+    p.draw_bodies(frame, view);
     p.canvas.resolve();
   }
   p.overlay.draw(frame, view);

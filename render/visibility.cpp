@@ -49,8 +49,7 @@ float key_light(vec3 world, vec3 normal, float phase) {
   mat2 spin = rotation(6.2831853 * phase);
   vec2 arm = spin[0];
   float found = 0.0, gap = 0.0;
-  int count = inside ? 6 : 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < 6; ++i) {
     float d = textureLod(shadow_map, p.xy + arm * (sqrt((float(i) + phase) / 6.0) * widest), 0.0).r;
     float blocks = d < receiver ? 1.0 : 0.0;
     found += blocks;
@@ -58,15 +57,14 @@ float key_light(vec3 world, vec3 normal, float phase) {
     arm = golden * arm;
   }
   float width = clamp(gap / max(found, 1.0) * deep / side * lamp, 1.5 * texel, widest);
-  float lit = found > 0.0 ? 0.0 : 8.0;
-  count = found > 0.0 ? 8 : 0;
+  float lit = 0.0;
   arm = spin[1];
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < 8; ++i) {
     float d = textureLod(shadow_map, p.xy + arm * (sqrt((float(i) + phase) / 8.0) * width), 0.0).r;
     lit += d < receiver ? 0.0 : 1.0;
     arm = golden * arm;
   }
-  return lit / 8.0;
+  return found > 0.0 && inside ? lit / 8.0 : 1.0;
 }
 )";
 
@@ -83,8 +81,7 @@ float sky_light(vec2 place, float d, float z, float phase) {
   float to_length = eye.w > 0.5 ? f - n : z * z * (f - n) / (n * f);
   vec2 arm = rotation(0.6283185 * phase)[0] * pixels / size.zw;
   float dark = 0.0;
-  int count = with_sky ? 5 : 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < 5; ++i) {
     float share = (float((i * 2) % 5) + 0.4 + 0.6 * phase) / 5.0;
     float one = (d - textureLod(depth_map, place + arm * share, 0.0).r) * to_length;
     float two = (d - textureLod(depth_map, place - arm * share, 0.0).r) * to_length;
@@ -99,7 +96,6 @@ float sky_light(vec2 place, float d, float z, float phase) {
 
 constexpr std::string_view raw_inputs = R"(
 in vec2 place;
-uniform bool with_shadow, with_sky;
 uniform float eye_distance;
 out vec4 result;
 )";
@@ -107,14 +103,19 @@ out vec4 result;
 constexpr std::string_view raw_main = R"(
 void main() {
   float d = textureLod(depth_map, place, 0.0).r;
-  if (d == 1.0) discard;
   float z = eye_depth(d);
   vec4 p = clip_to_world * vec4(vec3(place, d) * 2.0 - 1.0, 1.0);
   vec3 world = p.xyz / p.w;
   vec3 normal = normalize(cross(dFdx(world), dFdy(world)));
   float phase = turn(ivec2(gl_FragCoord.xy));
-  float key = with_shadow ? key_light(world, normal, phase) : 1.0;
-  result = vec4(key, sky_light(place, d, z, phase), z, 1.0);
+  result = vec4(1.0, 1.0, z, 1.0);
+#ifdef SHADOW
+  result.x = key_light(world, normal, phase);
+#endif
+#ifdef SKY
+  result.y = sky_light(place, d, z, phase);
+#endif
+  if (d == 1.0) result.xy = vec2(1.0);
 }
 )";
 
@@ -126,16 +127,12 @@ out vec4 result;
 void main() {
   vec2 texel = 1.0 / size.zw;
   float own = textureLod(raw, place, 0.0).z;
-  if (own > depth_range.y) discard;
   vec3 sum = vec3(0.0);
-  float most = 1.0;
-  int count = 16;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < 16; ++k) {
     vec3 v = textureLod(raw, place + vec2(float(k & 3) - 1.5, float(k >> 2) - 1.5) * texel, 0.0).xyz;
-    most = min(most, min(v.x, v.y));
     sum += vec3(v.xy, 1.0) / (abs(v.z - own) + 0.01 * forward.w);
   }
-  result = vec4(sum.xy / sum.z, own, most < 1.0 ? 1.0 : 0.0);
+  result = vec4(sum.xy / sum.z, own, 1.0);
 }
 )";
 
@@ -165,7 +162,12 @@ Visibility::Visibility(const GladGLContext& gl, int width, int height)
   smooth_ = make_texture(gl, {GL_RGBA16F, width_, height_, GL_RGBA, GL_FLOAT, GL_NEAREST});
   smooth_target_ = make_target(gl, GL_COLOR_ATTACHMENT0, smooth_, "smooth visibility");
   depth_program_ = make_program(gl, {frame_block, vertex_attributes, depth_vertex}, {depth_fragment});
-  raw_program_ = make_program(gl, {cover_vertex}, {frame_block, raw_inputs, pattern, shadow_part, sky_part, raw_main});
+  const auto make_raw = [&](const char* parts) {
+    return make_program(gl, {cover_vertex}, {parts, frame_block, raw_inputs, pattern, shadow_part, sky_part, raw_main});
+  };
+  shadow_program_ = make_raw("#define SHADOW\n");
+  sky_program_ = make_raw("#define SKY\n");
+  both_program_ = make_raw("#define SHADOW\n#define SKY\n");
   smooth_program_ = make_program(gl, {cover_vertex}, {frame_block, smooth_fragment});
   empty_ = make_vertex_array(gl);
   inside_query_ = make_query(gl);
@@ -191,21 +193,16 @@ bool Visibility::draw(const Frame& frame, const View& view, const SurfaceList& s
   scissor(6);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.BindVertexArray(empty_.name());
-  // Background: all light, behind everything.
-  gl_.ClearColor(1, 1, 2 * view.far_distance, 0);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, raw_target_.name());
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
-  gl_.UseProgram(raw_program_.name());
-  use_texture(gl_, raw_program_, "depth_map", 0, depth_);
-  use_texture(gl_, raw_program_, "shadow_map", 1, shadow.depth());
-  gl_.Uniform1i(gl_.GetUniformLocation(raw_program_.name(), "with_shadow"), frame.look.shadow ? 1 : 0);
-  gl_.Uniform1i(gl_.GetUniformLocation(raw_program_.name(), "with_sky"), frame.look.occlusion ? 1 : 0);
-  gl_.Uniform1f(gl_.GetUniformLocation(raw_program_.name(), "eye_distance"), (view.target - view.eye).norm());
+  const GlObject& program = !frame.look.shadow ? sky_program_ : !frame.look.occlusion ? shadow_program_ : both_program_;
+  gl_.UseProgram(program.name());
+  use_texture(gl_, program, "depth_map", 0, depth_);
+  use_texture(gl_, program, "shadow_map", 1, shadow.depth());
+  gl_.Uniform1f(gl_.GetUniformLocation(program.name(), "eye_distance"), (view.target - view.eye).norm());
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 
   scissor(3);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_target_.name());
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.UseProgram(smooth_program_.name());
   use_texture(gl_, smooth_program_, "raw", 0, raw_);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -213,6 +210,12 @@ bool Visibility::draw(const Frame& frame, const View& view, const SurfaceList& s
   GLuint shows = 0;
   gl_.GetQueryObjectuiv(inside_query_.name(), GL_QUERY_RESULT, &shows);
   return shows != 0;
+}
+
+void Visibility::clear(const View& view) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_target_.name());
+  gl_.ClearColor(1, 1, view.far_distance, 1);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 // Outsides first; then the insides of closed surfaces, a little farther away, tell whether they are seen.

@@ -8,29 +8,22 @@
 
 namespace render {
 
-// For the fragment stages that shade; `origin` is the corner of their target in the picture. visible gives (key light,
-// sky), 0 to 1: of the four nearest texels of the visibility buffer those count that lie at the pixel's own depth.
-// A software rasteriser executes both sides of every `if`; loops that end early and `discard` are what saves time.
+// For the fragment stages that shade: visible(corner of the target in the picture) gives (key light, sky), 0 to 1. Of
+// the four nearest texels of the visibility buffer those count that lie at the pixel's own depth. (A software
+// rasteriser runs both sides of a branch, and loops of fixed length fastest: there is nothing to gain by skipping.)
 inline constexpr std::string_view visibility_lookup = R"(
 uniform sampler2D visibility;
-bool fully_lit(ivec2 origin) {
-  vec2 pixel = gl_FragCoord.xy + vec2(origin);
-  bool inside = all(greaterThan(pixel, visible_rect.xy)) && all(lessThan(pixel, visible_rect.zw));
-  return !inside || textureLod(visibility, pixel / size.xy, 0.0).w < 0.5;
-}
 vec2 visible(ivec2 origin) {
   vec2 texel = (gl_FragCoord.xy + vec2(origin)) * size.zw / size.xy - 0.5;
   vec2 base = floor(texel);
   vec2 f = texel - base;
   float depth = eye_depth(gl_FragCoord.z);
-  int count = fully_lit(origin) ? 0 : 4;
-  vec3 sum = count == 0 ? vec3(1.0) : vec3(0.0);
-  for (int k = 0; k < count; ++k) {
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < 4; ++k) {
     vec2 step = vec2(k & 1, k >> 1);
     vec3 v = textureLod(visibility, (base + step + 0.5) / size.zw, 0.0).xyz;
     vec2 w = mix(1.0 - f, f, step);
-    float weight = (w.x * w.y + 1e-3) / (abs(v.z - depth) + 4e-3 * forward.w);
-    sum += weight * vec3(v.xy, 1.0);
+    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-3) / (abs(v.z - depth) + 4e-3 * forward.w));
   }
   return sum.xy / sum.z;
 }
@@ -49,7 +42,9 @@ class Visibility {
   // shows.
   bool draw(const Frame& frame, const View& view, const SurfaceList& solids, const Backdrop& backdrop,
             const ShadowMap& shadow, const Rect& rect) const;
-  // Red: key light, green: sky, blue: depth along the view, alpha: 1 where some light is missing near by, else 0.
+  // Fills the buffer with full light.
+  void clear(const View& view) const;
+  // Red: key light, green: sky, blue: depth along the view.
   const GlObject& texture() const { return smooth_; }
 
  private:
@@ -58,7 +53,7 @@ class Visibility {
   const GladGLContext& gl_;
   int scale_, width_, height_;  // scale: picture pixels per texel along each side
   GlObject depth_, depth_target_, raw_, raw_target_, smooth_, smooth_target_;
-  GlObject depth_program_, raw_program_, smooth_program_, empty_, inside_query_;
+  GlObject depth_program_, shadow_program_, sky_program_, both_program_, smooth_program_, empty_, inside_query_;
 };
 
 }  // namespace render

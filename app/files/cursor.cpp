@@ -115,6 +115,15 @@ std::int64_t Cursor::integer(std::string_view what, std::int64_t low, std::int64
   return value;
 }
 
+std::int64_t Cursor::whole(std::string_view what) {
+  const std::string_view text = word(what);
+  std::int64_t value = 0;
+  if (!parse(text, value)) {
+    fail(std::string(what) + " is " + quote(text) + "; it should be a whole number of 64 bits");
+  }
+  return value;
+}
+
 double Cursor::real(std::string_view what) {
   const std::string_view text = word(what);
   double value = 0;

@@ -31,7 +31,8 @@ class Cursor {
   void expect(std::string_view text);
   // A text in double quotes that ends on its own line.
   std::string_view quoted(std::string_view what);
-  // A whole number from low to high.
+  // A whole number (of 64 bits): any, or from low to high.
+  std::int64_t whole(std::string_view what);
   std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high);
   // A finite number.
   double real(std::string_view what);

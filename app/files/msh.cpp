@@ -51,8 +51,7 @@ Format read_format(Cursor& in) {
 void read_physical_names(Cursor& in, MshContents& contents) {
   constexpr int any = std::numeric_limits<int>::max();
   constexpr std::string_view what = "the number of physical names";
-  const int count = in.checked_count(
-      in.integer(what, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()), 7, what);
+  const int count = in.checked_count(in.whole(what), 7, what);
   for (int i = 0; i < count; ++i) {
     const auto dimension = static_cast<int>(in.integer("the dimension of a physical group", 0, 3));
     const auto tag = static_cast<int>(in.integer("the tag of a physical group", 0, any));
@@ -68,7 +67,7 @@ void skip_section(Cursor& in, const std::string& section) {
     in.fail(section + " is not read: save the mesh without partitions and without parametric coordinates");
   }
   const std::string end = "$End" + section.substr(1);
-  if (!in.skip_past("\n" + end)) in.fail("the section " + quote(section) + " has no " + end);
+  if (!in.skip_past("\n" + end)) in.fail("the section " + quote(section) + " has no end " + quote(end));
 }
 
 class Sections {

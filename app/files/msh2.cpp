@@ -1,18 +1,13 @@
 #include "app/files/msh2.h"
 
 #include <cstdlib>
-#include <limits>
 
 namespace app {
 namespace {
 
-constexpr int any_low = -std::numeric_limits<int>::max();  // so that std::abs is safe
-constexpr int any_high = std::numeric_limits<int>::max();
-
 // The count of a section is text in binary files too, on a line of its own.
 int read_count(MshFields& in, std::string_view what, std::size_t text_bytes_each, std::size_t binary_bytes_each) {
-  const std::int64_t count =
-      in.cursor().integer(what, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
+  const std::int64_t count = in.cursor().whole(what);
   if (in.binary()) in.cursor().rest_of_line();
   return in.cursor().checked_count(count, in.binary() ? binary_bytes_each : text_bytes_each, what);
 }
@@ -22,21 +17,20 @@ int read_count(MshFields& in, std::string_view what, std::size_t text_bytes_each
 void read_element(MshFields& in, const MshType& type, int tag_count, MshContents& contents) {
   std::vector<int> physical;
   for (int i = 0; i < tag_count; ++i) {
-    const int tag = in.integer("a tag of an element", any_low, any_high);
+    const int tag = in.tag("a tag of an element");
     if (i == 0 && tag != 0) physical.push_back(std::abs(tag));
   }
   MshBlock& block = contents.block(type, physical);
   for (int local = 0; local < type.nodes; ++local) {
-    add_node(in.cursor(), contents.tags, in.integer("a node of an element", any_low, any_high), local, block);
+    add_node(in.cursor(), contents.tags, in.tag("a node of an element"), local, block);
   }
 }
 
 void read_text_elements(MshFields& in, int count, MshContents& contents) {
   for (int i = 0; i < count; ++i) {
-    in.integer("the number of an element", any_low, any_high);
-    const MshType& type = msh_type(in.cursor(), in.integer("the type of an element", any_low, any_high));
-    const int tag_count =
-        in.cursor().checked_count(in.integer("the number of tags", any_low, any_high), 2, "the number of tags");
+    in.tag("the number of an element");
+    const MshType& type = msh_type(in.cursor(), in.tag("the type of an element"));
+    const int tag_count = in.cursor().checked_count(in.tag("the number of tags"), 2, "the number of tags");
     read_element(in, type, tag_count, contents);
   }
 }
@@ -44,12 +38,11 @@ void read_text_elements(MshFields& in, int count, MshContents& contents) {
 // In binary, elements follow a header that says type and number of tags for several of them.
 void read_binary_elements(MshFields& in, int count, MshContents& contents) {
   for (int done = 0; done < count;) {
-    const MshType& type = msh_type(in.cursor(), in.integer("the type of elements", any_low, any_high));
+    const MshType& type = msh_type(in.cursor(), in.tag("the type of elements"));
     const int following = in.integer("the number of elements that follow", 1, count - done);
-    const int tag_count =
-        in.cursor().checked_count(in.integer("the number of tags", any_low, any_high), 4, "the number of tags");
+    const int tag_count = in.cursor().checked_count(in.tag("the number of tags"), 4, "the number of tags");
     for (int i = 0; i < following; ++i) {
-      in.integer("the number of an element", any_low, any_high);
+      in.tag("the number of an element");
       read_element(in, type, tag_count, contents);
     }
     done += following;
@@ -64,7 +57,7 @@ void read_msh2_nodes(MshFields& in, MshContents& contents) {
   tags.reserve(static_cast<std::size_t>(count));
   contents.coordinates.reserve(3 * static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    tags.push_back(in.integer("the number of a node", any_low, any_high));
+    tags.push_back(in.tag("the number of a node"));
     for (const char* axis : {"x", "y", "z"}) contents.coordinates.push_back(in.real(axis));
   }
   number_nodes(in.cursor(), tags, contents);

@@ -2,13 +2,9 @@
 
 #include <array>
 #include <cstdlib>
-#include <limits>
 
 namespace app {
 namespace {
-
-constexpr int any_low = -std::numeric_limits<int>::max();  // so that std::abs is safe
-constexpr int any_high = std::numeric_limits<int>::max();
 
 // Bounding box (a point's place, for a point), physical tags, and the entities that bound it.
 std::vector<int> read_entity(MshFields& in, int dimension) {
@@ -16,11 +12,11 @@ std::vector<int> read_entity(MshFields& in, int dimension) {
   std::vector<int> physical;
   const int tag_count = in.count("the number of physical tags", 2, 4);
   for (int i = 0; i < tag_count; ++i) {
-    physical.push_back(std::abs(in.integer("a physical tag", any_low, any_high)));
+    physical.push_back(std::abs(in.tag("a physical tag")));
   }
   if (dimension == 0) return physical;
   const int bounds = in.count("the number of bounding entities", 2, 4);
-  for (int i = 0; i < bounds; ++i) in.integer("a bounding entity", any_low, any_high);
+  for (int i = 0; i < bounds; ++i) in.tag("a bounding entity");
   return physical;
 }
 
@@ -34,7 +30,7 @@ void check_total(const Cursor& in, std::int64_t total, std::size_t sum, std::str
 // One entity's nodes: first their tags, then their coordinates, followed by the parameters on the entity if any.
 void read_node_block(MshFields& in, std::vector<std::int64_t>& tags, MshContents& contents) {
   const int dimension = in.integer("the dimension of an entity", 0, 3);
-  in.integer("the tag of an entity", any_low, any_high);
+  in.tag("the tag of an entity");
   const int parameters = in.integer("the parametric flag", 0, 1) * dimension;
   const int count = in.count("the number of nodes in a block", 8, 32);
   for (int i = 0; i < count; ++i) tags.push_back(in.size("the tag of a node"));
@@ -52,7 +48,7 @@ MshEntities read_msh4_entities(MshFields& in) {
   MshEntities entities;
   for (int dimension = 0; dimension < 4; ++dimension) {
     for (int i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
-      const int tag = in.integer("the tag of an entity", any_low, any_high);
+      const int tag = in.tag("the tag of an entity");
       entities[{dimension, tag}] = read_entity(in, dimension);
     }
   }
@@ -80,8 +76,8 @@ void read_msh4_elements(MshFields& in, const MshEntities& entities, MshContents&
   std::size_t sum = 0;
   for (int b = 0; b < blocks; ++b) {
     const int dimension = in.integer("the dimension of an entity", 0, 3);
-    const auto entity = entities.find({dimension, in.integer("the tag of an entity", any_low, any_high)});
-    const MshType& type = msh_type(in.cursor(), in.integer("the type of elements", any_low, any_high));
+    const auto entity = entities.find({dimension, in.tag("the tag of an entity")});
+    const MshType& type = msh_type(in.cursor(), in.tag("the type of elements"));
     const auto numbers = static_cast<std::size_t>(type.nodes) + 1;
     const int count = in.count("the number of elements in a block", 2 * numbers, 8 * numbers);
     MshBlock& block = contents.block(type, entity == entities.end() ? std::vector<int>{} : entity->second);

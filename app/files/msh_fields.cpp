@@ -26,9 +26,14 @@ int MshFields::integer(std::string_view what, int low, int high) {
   return found;
 }
 
+int MshFields::tag(std::string_view what) {
+  constexpr int most = std::numeric_limits<int>::max();
+  return integer(what, -most, most);
+}
+
 std::int64_t MshFields::size(std::string_view what) {
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  if (!binary_) return cursor_.integer(what, std::numeric_limits<std::int64_t>::min(), most);
+  if (!binary_) return cursor_.whole(what);
   const auto found = value<std::uint64_t>(what);
   if (found > static_cast<std::uint64_t>(most)) {
     cursor_.fail(std::string(what) + " is " + std::to_string(found) + ", more than any file can hold");

@@ -18,6 +18,8 @@ class MshFields {
 
   // A 32-bit integer, from low to high.
   int integer(std::string_view what, int low, int high);
+  // A 32-bit integer of whatever value but the lowest, so that its sign can be dropped.
+  int tag(std::string_view what);
   // A 64-bit unsigned integer (below 2^63: no counted or numbered thing is more).
   std::int64_t size(std::string_view what);
   // A finite number, 64 bits.

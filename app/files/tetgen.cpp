@@ -1,15 +1,10 @@
 #include "app/files/tetgen.h"
 
-#include <limits>
-
 #include "app/files/cursor.h"
 #include "app/files/mesh_nodes.h"
 
 namespace app {
 namespace {
-
-constexpr std::int64_t any_low = std::numeric_limits<std::int64_t>::min();
-constexpr std::int64_t any_high = std::numeric_limits<std::int64_t>::max();
 
 struct Points {
   Eigen::MatrixXd X;       // dimension x points
@@ -26,7 +21,7 @@ void expect_number(Cursor& in, int index, std::int64_t& first, std::string_view 
 }
 
 int read_count(Cursor& in, std::string_view what, std::size_t bytes_each) {
-  const int count = in.checked_count(in.integer(what, any_low, any_high), bytes_each, what);
+  const int count = in.checked_count(in.whole(what), bytes_each, what);
   if (count == 0) in.fail(std::string(what) + " is 0; a mesh has at least one");
   return count;
 }

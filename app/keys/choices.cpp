@@ -16,7 +16,9 @@ std::vector<std::string_view> names(sim::TypeList<T...>) {
 }  // namespace
 
 std::vector<std::string_view> integrator_names() {
-  return {"symplectic-euler", "backward-euler"};
+  std::vector<std::string_view> all;
+  for (const sim::Scheme& scheme : sim::schemes()) all.push_back(scheme.name);
+  return all;
 }
 
 std::vector<std::string_view> linear_solver_names() {

@@ -1,4 +1,4 @@
-// Keys of [world], [[obstacle]] and [[probe]].
+// Keys of [world], [[obstacle]], [[spring]] and [[probe]].
 #include "app/keys/binding.h"
 
 namespace app {
@@ -9,6 +9,9 @@ constexpr auto world_of = [](auto& d, const Indices&) -> auto& {
 };
 constexpr auto obstacle_of = [](auto& d, const Indices& i) -> auto& {
   return d.scene.obstacles[i[0]];
+};
+constexpr auto spring_of = [](auto& d, const Indices& i) -> auto& {
+  return d.scene.springs[i[0]];
 };
 constexpr auto probe_of = [](auto& d, const Indices& i) -> auto& {
   return d.scene.probes[i[0]];
@@ -25,6 +28,16 @@ constexpr Binding plane = {[](const Document& d, const Indices& i) -> std::optio
                              if (!std::holds_alternative<sim::Plane>(shape)) shape = sim::Plane{{0, 0, 0}, {0, 1, 0}};
                              from_value(value, std::get<sim::Plane>(shape).*member);
                            }};
+
+constexpr Binding reference = {[](const Document& d, const Indices& i) -> std::optional<Value> {
+                                 const auto k = static_cast<std::size_t>(i[0]);
+                                 return k < d.references.size() ? to_optional(d.references[k]) : std::nullopt;
+                               },
+                               [](Document& d, const Indices& i, const Value& value) {
+                                 const auto k = static_cast<std::size_t>(i[0]);
+                                 if (d.references.size() <= k) d.references.resize(k + 1);
+                                 from_value(value, d.references[k]);
+                               }};
 
 }  // namespace
 
@@ -71,6 +84,39 @@ std::vector<Key> obstacle_keys() {
   };
 }
 
+std::vector<Key> spring_keys() {
+  return {
+      {.path = "spring[]",
+       .kind = Kind::list,
+       .meaning = "A spring from a material point to a place in space: a handle.",
+       .binding = length<scene_of, &sim::Scene::springs>},
+      {.path = "spring[].body",
+       .kind = Kind::text,
+       .required = true,
+       .meaning = "Name of the body that it pulls.",
+       .binding = field<spring_of, &sim::Spring::body>},
+      {.path = "spring[].at",
+       .kind = Kind::point,
+       .unit = "m",
+       .required = true,
+       .meaning = "Where it holds the body, at rest.",
+       .binding = field<spring_of, &sim::Spring::at>},
+      {.path = "spring[].target",
+       .kind = Kind::point,
+       .unit = "m",
+       .required = true,
+       .meaning = "Where it pulls that point to.",
+       .binding = field<spring_of, &sim::Spring::target>},
+      {.path = "spring[].stiffness",
+       .kind = Kind::number,
+       .unit = "N/m",
+       .range = above(0),
+       .required = true,
+       .meaning = "Force per length.",
+       .binding = field<spring_of, &sim::Spring::stiffness>},
+  };
+}
+
 std::vector<Key> probe_keys() {
   return {
       {.path = "probe[]",
@@ -93,6 +139,12 @@ std::vector<Key> probe_keys() {
        .required = true,
        .meaning = "Where it is at rest, inside the body.",
        .binding = field<probe_of, &sim::Probe::at>},
+      {.path = "probe[].reference",
+       .kind = Kind::point,
+       .unit = "m",
+       .absent = "none",
+       .meaning = "The displacement that it should have at the end; `ritz run` prints value, reference and error.",
+       .binding = reference},
   };
 }
 

@@ -19,6 +19,8 @@ SavedRun example() {
   run.state.x_before = -run.state.x;
   run.state.v_before = Eigen::VectorXd::Zero(6);
   run.state.v_before[1] = -0.0;
+  run.state.force = Eigen::VectorXd::Constant(6, 2.5);
+  run.state.kept = {1, 7, -1, 0.25, 0.5, 60, 3600, run.state.v, run.state.x, run.state.x, run.state.v};
   return run;
 }
 
@@ -28,7 +30,7 @@ std::string with_count(std::string bytes, std::size_t place, std::uint64_t count
   return bytes;
 }
 
-constexpr std::size_t kLengths = 8 + 4 + 8 + 4 * 8 + 8;  // where the length of x stands
+constexpr std::size_t kLengths = 8 + 4 + 8 + 3 * 8 + 8 + 8;  // where the length of x stands
 
 TEST(StateFile, GivesBackEveryBit) {
   const SavedRun run = example();
@@ -56,7 +58,7 @@ TEST(StateFile, BytesAreLittleEndianAndInTheDocumentedOrder) {
   EXPECT_EQ(bytes.substr(8, 4), std::string("\1\0\0\0", 4));
   EXPECT_EQ(bytes.substr(12, 8), "\x10\x32\x54\x76\x98\xba\xdc\xfe");
   EXPECT_EQ(bytes[kLengths], 6);
-  EXPECT_EQ(bytes.size(), kLengths + 4 * 8 + 4 * 6 * 8 + 8);
+  EXPECT_EQ(bytes.size(), kLengths + 9 * (8 + 6 * 8) + 3 * 8 + 4 * 8 + 8);
 }
 
 TEST(StateFile, TruncationAtEveryByteIsNoticed) {
@@ -81,7 +83,7 @@ TEST(StateFile, AbsurdLengthsAreRefusedBeforeAnythingIsAllocated) {
   const std::string bytes = encode(example());
   for (const std::uint64_t length : {std::uint64_t{1} << 31, std::uint64_t{1000000000000000000}, ~std::uint64_t{0}}) {
     for (std::size_t vector = 0; vector < 4; ++vector) {
-      const std::string damaged = with_count(bytes, kLengths + 8 * vector, length);
+      const std::string damaged = with_count(bytes, kLengths + (8 + 6 * 8) * vector, length);
       EXPECT_NE(error_of([&] { decode(damaged, "state.bin"); }).find("cut short"), std::string::npos);
     }
   }

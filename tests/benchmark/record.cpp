@@ -1,0 +1,86 @@
+// Milliseconds per drawn and per encoded frame; and a whole `ritz record` against the largest of its three stages.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "app/commands.h"
+#include "render/png.h"
+#include "render/renderer.h"
+
+namespace {
+
+// A ball of about 2 n^2 triangles.
+render::Surface ball(int n) {
+  render::Surface surface;
+  surface.name = "ball";
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double polar = 3.14159265 * i / n, round = 2 * 3.14159265 * j / n;
+      for (const double c : {std::sin(polar) * std::cos(round), 1 + std::cos(polar), std::sin(polar) * std::sin(round)})
+        surface.positions.push_back(static_cast<float>(c));
+    }
+  const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(i * n + j % n); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (const std::uint32_t v : {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)})
+        surface.triangles.push_back(v);
+  return surface;
+}
+
+render::Frame frame() {
+  render::Frame frame;
+  frame.camera.eye = {0, 2, 6};
+  frame.camera.target = {0, 1, 0};
+  frame.surfaces = {ball(100)};
+  frame.ground = render::Ground{};
+  return frame;
+}
+
+void draw(benchmark::State& state) {
+  const auto context = render::make_offscreen_context();
+  render::Renderer renderer(*context, 1280, 720, static_cast<int>(state.range(0)));
+  const render::Frame picture = frame();
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(picture));
+}
+
+void encode(benchmark::State& state) {
+  const auto context = render::make_offscreen_context();
+  const render::Image image = render::Renderer(*context, 1280, 720, 4).draw(frame());
+  for (auto _ : state) benchmark::DoNotOptimize(render::encode_png(image));
+}
+
+double number_after(const std::string& text, const std::string& key) {
+  const std::size_t at = text.find("\"" + key + "\":");
+  return at == std::string::npos ? 0 : std::stod(text.substr(at + key.size() + 3));
+}
+
+// The first second of a scene; the counter is the whole over the largest stage.
+void record(benchmark::State& state) {
+  const std::filesystem::path out = std::filesystem::temp_directory_path() / "ritz-benchmark";
+  app::Options options;
+  options.scene = std::filesystem::path(RITZ_SOURCE_DIR) / "assets/scenes/bear.toml";
+  options.out = out;
+  options.overwrite = options.quiet = true;
+  options.overrides = {{"time.seconds", "1.0", "benchmark"}};
+  options.threads = 2;
+  for (auto _ : state) app::record(options);
+  std::ifstream file(out / "run.json");
+  const std::string run{std::istreambuf_iterator<char>(file), {}};
+  const std::string seconds = run.substr(run.find("\"seconds\": {\n"));
+  for (const char* stage : {"stepping", "drawing", "writing"}) state.counters[stage] = number_after(seconds, stage);
+  const double largest =
+      std::max({number_after(seconds, "stepping"), number_after(seconds, "drawing"), number_after(seconds, "writing")});
+  state.counters["whole/largest"] = number_after(seconds, "total") / largest;
+  std::filesystem::remove_all(out);
+}
+
+BENCHMARK(draw)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(encode)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(record)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
