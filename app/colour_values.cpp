@@ -19,7 +19,8 @@ double round_up(double x) {
 // What 99 of 100 values do not exceed: a single sharp corner does not decide the colours of the rest.
 double nearly_largest(std::vector<double> values) {
   if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
   std::ranges::nth_element(values, place);
   return *place;
 }
@@ -31,8 +32,9 @@ std::array<double, 2> range_of(sim::Quantity quantity, const Eigen::VectorXd& va
     const bool around_one = quantity == sim::Quantity::stretch || quantity == sim::Quantity::J;
     sizes.push_back(std::abs(around_one ? value - 1 : value));
   }
-  const double size = nearly_largest(std::move(sizes));
-  constexpr double strain = 1e-4;  // the smallest that a picture shows
+  constexpr double strain = 1e-4;   // the smallest that a picture shows
+  constexpr double largest = 1e30;  // what a picture's numbers hold, of a body that has exploded
+  const double size = std::min(nearly_largest(std::move(sizes)), largest);
   switch (quantity) {
     case sim::Quantity::stress:
       return {0, round_up(std::max(size, young * strain))};

@@ -131,6 +131,10 @@ std::string_view last_name(std::string_view pattern) {
 }
 
 std::string kind_text(const Key& key) {
+  // Points have two numbers in a plane scene, unless the key is of 3D scenes only.
+  const auto points = [&](const std::string& space, const std::string& plane) {
+    return key.dimension == 3 ? space : space + ", in 2D " + plane;
+  };
   switch (key.kind) {
     case Kind::table:
       return "a table";
@@ -157,15 +161,15 @@ std::string kind_text(const Key& key) {
     case Kind::numbers:
       return list_text(key, "numbers");
     case Kind::point:
-      return "a point [x, y, z], in 2D [x, y]";
+      return points("a point [x, y, z]", "[x, y]");
     case Kind::direction:
-      return "a direction [x, y, z], in 2D [x, y]";
+      return points("a direction [x, y, z]", "[x, y]");
     case Kind::axis:
       return "an axis [x, y, z]";
     case Kind::box:
-      return "a box [[x, y, z], [x, y, z]], in 2D [[x, y], [x, y]]";
+      return points("a box [[x, y, z], [x, y, z]]", "[[x, y], [x, y]]");
     case Kind::ball:
-      return "a ball [[x, y, z], radius], in 2D [[x, y], radius]";
+      return points("a ball [[x, y, z], radius]", "[[x, y], radius]");
   }
   return {};
 }

@@ -25,7 +25,8 @@ void print_references(const Simulation& simulation, const Outcome& outcome) {
   const Document& document = simulation.document;
   for (std::size_t k = 0; k < document.references.size(); ++k) {
     if (!document.references[k]) continue;
-    const Vec3 is = simulation.system->probe_displacement(outcome.run.state, static_cast<int>(k)), should = *document.references[k];
+    const Vec3 is = simulation.system->probe_displacement(outcome.run.state, static_cast<int>(k)),
+               should = *document.references[k];
     for (int c = 0; c < simulation.system->dimension(); ++c) {
       if (should[c] == 0) continue;
       char line[160];

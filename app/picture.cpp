@@ -79,7 +79,11 @@ void Picture::add_values(const sim::State& state, render::Frame& frame) const {
   frame.scale = range.scale;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const sim::BodyRange& body = system_.bodies()[i];
-    frame.surfaces[i].values = surfaces_[i].values(range.factor * values.segment(body.first_node, body.node_count));
+    // Beyond the ends of the scale there are no other colours, but perhaps numbers that a picture cannot hold.
+    const Eigen::VectorXd shown_values = (range.factor * values.segment(body.first_node, body.node_count))
+                                             .cwiseMax(double(range.scale.low))
+                                             .cwiseMin(double(range.scale.high));
+    frame.surfaces[i].values = surfaces_[i].values(shown_values);
   }
 }
 

@@ -20,7 +20,6 @@ bool is_numbered(const std::string& name) {
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder, Existing existing) : folder_(std::move(folder)) {
-  make_folder(folder_);
   if (existing == Existing::resume) {
     if (fs::exists(state())) return;
     throw std::runtime_error(folder_.string() + ": holds no state.bin, so there is nothing to resume");

@@ -16,11 +16,11 @@ enum class Existing {
 
 class RunFolder {
  public:
-  // Makes the folder when it is not there; touches nothing in it. Throws std::runtime_error when it holds a run and
-  // `existing` is refuse, when it has no state.bin and `existing` is resume; WriteError when it cannot be made.
+  // Touches nothing yet. Throws std::runtime_error when the folder holds a run and `existing` is refuse, when it has no
+  // state.bin and `existing` is resume.
   RunFolder(std::filesystem::path folder, Existing existing);
 
-  // Removes the files of an earlier run, and nothing else. Throws WriteError.
+  // Removes the files of an earlier run in it, and nothing else. Throws WriteError.
   void clear() const;
 
   const std::filesystem::path& path() const { return folder_; }
@@ -36,7 +36,7 @@ class RunFolder {
   std::filesystem::path vtu(std::int64_t number) const { return vtu_folder() / vtu_name(number); }
   static std::string vtu_name(std::int64_t number) { return numbered("frame_", number, ".vtu"); }
 
-  // Makes frames/ or vtu/. Throws WriteError.
+  // Makes this folder, or frames/ or vtu/ in it, where it is not there. Throws WriteError.
   void make_folder(const std::filesystem::path& folder) const;
 
  private:

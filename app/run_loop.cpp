@@ -130,6 +130,7 @@ class Runner {
 Outcome run_loop(const Simulation& simulation, const Options& options, const RunFolder& folder, const Start& start,
                  FrameSink& sink) {
   const Stopwatch watch;
+  folder.make_folder(folder.path());
   if (!start.resumed) folder.clear();
   if (!options.quiet) {
     for (const std::string& remark : simulation.remarks()) std::cerr << "note: " << remark << '\n';

@@ -1,6 +1,7 @@
 #include "render/backdrop.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "render/light.h"
@@ -17,17 +18,38 @@ struct Disc {
 namespace {
 
 // Colours of the backdrop are made in sRGB: they are chosen, not computed from light.
-constexpr std::string_view gradient = R"(
-uniform vec3 above, below;
-vec3 background() {
-  float t = gl_FragCoord.y / size.y;
-  return mix(below, above, t * t * (3.0 - 2.0 * t));
+constexpr std::string_view opacity_function = R"(
+float fade(float r) {
+  float s = max(1.0 - r / 0.997, 0.0);  // 0 before the fan's straight rim
+  return s * s * (3.0 - 2.0 * s);
+}
+)";
+
+// Background and ground in one pass. From a pixel to the ground's disc leads a projective map: with (u, v, w) linear on
+// the screen, the point is (u, v) / w, in front of the eye where w > 0.
+constexpr std::string_view background_vertex = R"(
+uniform mat3 to_disc;
+out vec3 on_disc;
+out float height;
+void main() {
+  vec2 place = vec2(float(gl_VertexID & 1) * 4.0, float(gl_VertexID & 2) * 2.0) - 1.0;
+  on_disc = to_disc * vec3(place, 1.0);
+  height = 0.5 + 0.5 * place.y;
+  gl_Position = vec4(place, 0.0, 1.0);
 }
 )";
 
 constexpr std::string_view background_fragment = R"(
+in vec3 on_disc;
+in float height;
+uniform vec3 above, below;
+uniform vec4 tint;  // of the ground; sRGB, opacity at the centre
 out vec4 colour;
-void main() { colour = vec4(background(), 1.0); }
+void main() {
+  vec3 sky = mix(below, above, height * height * (3.0 - 2.0 * height));
+  float r = on_disc.z > 0.0 ? length(on_disc.xy) / on_disc.z : 1.0;
+  colour = vec4(mix(sky, tint.rgb, tint.a * fade(r)), 1.0);
+}
 )";
 
 // A disc in the plane: a fan around its centre.
@@ -41,28 +63,20 @@ void main() {
 }
 )";
 
-// Fades towards the rim.
-constexpr std::string_view fading = R"(
+constexpr std::string_view disc_inputs = R"(
 in vec2 disc;
-uniform vec4 tint;  // sRGB, opacity at the centre
+uniform vec4 tint;
 out vec4 colour;
-float opacity() {
-  float fade = max(1.0 - length(disc) / 0.997, 0.0);  // 0 before the fan's straight rim
-  return tint.a * fade * fade * (3.0 - 2.0 * fade);
-}
 )";
 
-constexpr std::string_view ground_fragment =
-    "void main() { colour = vec4(mix(background(), tint.rgb, opacity()), 1.0); }\n";
-
-constexpr std::string_view plane_fragment = "void main() { colour = vec4(tint.rgb, opacity()); }\n";
+constexpr std::string_view plane_fragment = "void main() { colour = vec4(tint.rgb, tint.a * fade(length(disc))); }\n";
 
 // Multiplies what is there by the square root of the light that is left, near to what linear light gives.
 constexpr std::string_view shade_fragment = R"(
 void main() {
   vec2 lit = visible(ivec2(0));
   float light = 0.58 * lit.x * (0.75 + 0.25 * lit.y) + 0.42 * lit.y;
-  colour = vec4(vec3(mix(1.0, sqrt(light), opacity())), 1.0);
+  colour = vec4(vec3(mix(1.0, sqrt(light), tint.a * fade(length(disc)))), 1.0);
 }
 )";
 
@@ -100,42 +114,62 @@ void draw_disc(const GladGLContext& gl, const GlObject& program, const Disc& dis
   gl.DrawArrays(GL_TRIANGLE_FAN, 0, 50);
 }
 
+// From normalised screen coordinates to the disc, see background_vertex: the inverse of (x, y, w) of the clip space
+// point of centre + a across + b along, a matrix on (a, b, 1).
+Eigen::Matrix3f screen_to_disc(const Disc& disc, const View& view) {
+  Eigen::Matrix<float, 4, 3> to_world = Eigen::Matrix<float, 4, 3>::Zero();
+  to_world.block<3, 1>(0, 0) = disc.across;
+  to_world.block<3, 1>(0, 1) = disc.along;
+  to_world.col(2) << disc.centre, 1;
+  const Eigen::Matrix<float, 4, 3> to_clip = view.world_to_clip * to_world;
+  Eigen::Matrix3d to_screen;
+  to_screen << to_clip.row(0).cast<double>(), to_clip.row(1).cast<double>(), to_clip.row(3).cast<double>();
+  // A plane seen edge-on covers nothing: w = 0 everywhere.
+  if (std::abs(to_screen.determinant()) < 1e-12) return Eigen::Matrix3f::Zero();
+  return to_screen.inverse().cast<float>();
+}
+
 }  // namespace
 
 Backdrop::Backdrop(const GladGLContext& gl)
     : gl_(gl),
-      background_(make_program(gl, {cover_vertex}, {frame_block, gradient, background_fragment})),
-      ground_(make_program(gl, {frame_block, plane_vertex}, {frame_block, gradient, fading, ground_fragment})),
-      plane_(make_program(gl, {frame_block, plane_vertex}, {fading, plane_fragment})),
-      shade_(make_program(gl, {frame_block, plane_vertex}, {frame_block, visibility_lookup, fading, shade_fragment})),
+      background_(make_program(gl, {background_vertex}, {opacity_function, background_fragment})),
+      plane_(make_program(gl, {frame_block, plane_vertex}, {disc_inputs, opacity_function, plane_fragment})),
+      shade_(make_program(gl, {frame_block, plane_vertex},
+                          {frame_block, visibility_lookup, disc_inputs, opacity_function, shade_fragment})),
       depth_(make_program(gl, {frame_block, plane_vertex}, {depth_fragment})),
       empty_(make_vertex_array(gl)) {}
 
-void Backdrop::use_background(const GlObject& program, Background background) const {
-  gl_.UseProgram(program.name());
-  const bool paper = background == Background::paper;
-  const auto set = [&](const char* name, float r, float g, float b) {
-    gl_.Uniform3f(gl_.GetUniformLocation(program.name(), name), paper ? 1 : r, paper ? 1 : g, paper ? 1 : b);
-  };
-  set("above", 0.80F, 0.835F, 0.87F);
-  set("below", 0.945F, 0.95F, 0.955F);
+void Backdrop::draw_background(const Frame& frame, const View& view, const Disc* ground) const {
+  gl_.UseProgram(background_.name());
+  const auto place = [&](const char* name) { return gl_.GetUniformLocation(background_.name(), name); };
+  const bool paper = frame.look.background == Background::paper;
+  const Eigen::Vector3f white = Eigen::Vector3f::Ones();
+  gl_.Uniform3fv(place("above"), 1, (paper ? white : Eigen::Vector3f(0.80F, 0.835F, 0.87F)).data());
+  gl_.Uniform3fv(place("below"), 1, (paper ? white : Eigen::Vector3f(0.945F, 0.95F, 0.955F)).data());
+  const Eigen::Matrix3f to_disc = ground != nullptr ? screen_to_disc(*ground, view) : Eigen::Matrix3f::Zero();
+  const Eigen::Vector4f tint = ground != nullptr ? ground->tint : Eigen::Vector4f::Zero();
+  gl_.UniformMatrix3fv(place("to_disc"), 1, GL_FALSE, to_disc.data());
+  gl_.Uniform4fv(place("tint"), 1, tint.data());
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// From front to back as far as that saves time: the background is drawn where no ground is.
 void Backdrop::draw(const Frame& frame, const View& view, const GlObject& visibility, const Shades& shades) const {
   gl_.BindVertexArray(empty_.name());
+  const bool on_ground = frame.ground && faces_eye(frame.ground->point, frame.ground->normal, view);
+  const Disc ground = on_ground ? ground_disc(*frame.ground, view) : Disc{};
+  draw_background(frame, view, on_ground ? &ground : nullptr);
+  if (on_ground) draw_shade(ground, visibility, shades.ground);
+  if (frame.planes.empty()) return;
+  // Planes hide each other and the ground, and are hidden by it.
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   gl_.DepthFunc(GL_LEQUAL);
-  const bool ground = frame.ground && faces_eye(frame.ground->point, frame.ground->normal, view);
-  if (ground) {
-    use_background(ground_, frame.look.background);
-    draw_disc(gl_, ground_, ground_disc(*frame.ground, view));
-  }
-  use_background(background_, frame.look.background);
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  if (ground) draw_shade(ground_disc(*frame.ground, view), visibility, shades.ground);
+  gl_.UseProgram(depth_.name());
+  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  if (on_ground) draw_disc(gl_, depth_, ground);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   for (std::size_t i = 0; i < frame.planes.size(); ++i) {
     if (!faces_eye(frame.planes[i].point, frame.planes[i].normal, view)) continue;
     const Disc disc = plane_disc(frame.planes[i], view);
@@ -150,7 +184,6 @@ void Backdrop::draw(const Frame& frame, const View& view, const GlObject& visibi
 
 void Backdrop::draw_shade(const Disc& disc, const GlObject& visibility, const Rect& rect) const {
   if (rect.empty()) return;
-  gl_.DepthFunc(GL_EQUAL);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   gl_.Enable(GL_SCISSOR_TEST);
@@ -160,7 +193,6 @@ void Backdrop::draw_shade(const Disc& disc, const GlObject& visibility, const Re
   draw_disc(gl_, shade_, disc);
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Disable(GL_BLEND);
-  gl_.DepthFunc(GL_LEQUAL);
 }
 
 void Backdrop::draw_depth(const Frame& frame, const View& view) const {

@@ -23,17 +23,17 @@ class Backdrop {
   explicit Backdrop(const GladGLContext& gl);
 
   // Draws the background over the whole viewport, and ground and planes that face the eye, darkened by what the
-  // visibility buffer has. Needs a depth buffer, which it clears.
+  // visibility buffer has. With planes it needs a depth buffer, which it clears.
   void draw(const Frame& frame, const View& view, const GlObject& visibility, const Shades& shades) const;
   // Draws the depth of ground and planes alone.
   void draw_depth(const Frame& frame, const View& view) const;
 
  private:
-  void use_background(const GlObject& program, Background background) const;
+  void draw_background(const Frame& frame, const View& view, const Disc* ground) const;
   void draw_shade(const Disc& disc, const GlObject& visibility, const Rect& rect) const;
 
   const GladGLContext& gl_;
-  GlObject background_, ground_, plane_, shade_, depth_, empty_;
+  GlObject background_, plane_, shade_, depth_, empty_;
 };
 
 }  // namespace render

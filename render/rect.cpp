@@ -31,20 +31,16 @@ Rect rect_of(const Eigen::Ref<const Eigen::Matrix3Xf>& points, const View& view,
   return {x, y, static_cast<int>(std::ceil(high.x())) - x, static_cast<int>(std::ceil(high.y())) - y};
 }
 
-Rect shade_rect(const Point& point, const Point& normal, const Bounds& bounds, const Eigen::Vector3f& key,
-                const View& view, int width, int height, float margin) {
+Rect shade_rect(const Point& point, const Point& normal, const Eigen::Ref<const Eigen::Matrix3Xf>& vertices,
+                const Eigen::Vector3f& key, const View& view, int width, int height, float margin) {
   const Eigen::Vector3f up = to_vector(normal).normalized();
   const float slant = up.dot(key);
-  Eigen::Matrix<float, 3, 16> points;
-  for (int k = 0; k < 8; ++k) {
-    const Eigen::Vector3f corner = bounds.corner(k);
-    const float above = up.dot(corner - to_vector(point));
-    points.col(2 * k) = corner - above * up;
-    // Along a plane that the light grazes the shadow has no end: it is taken to the plane's foot.
-    const bool falls = above > 0 && slant > 0.05F;
-    points.col(2 * k + 1) =
-        falls ? Eigen::Vector3f(corner - key * (above / slant)) : Eigen::Vector3f(points.col(2 * k));
-  }
+  const Eigen::RowVectorXf above = up.transpose() * (vertices.colwise() - to_vector(point));
+  Eigen::Matrix3Xf points(3, 2 * vertices.cols());
+  points.leftCols(vertices.cols()) = vertices - up * above;
+  // Along a plane that the light grazes the shadow has no end: it is left out.
+  const float reach = slant > 0.05F ? 1 / slant : 0;
+  points.rightCols(vertices.cols()) = vertices - (reach > 0 ? key : up) * (above * (reach > 0 ? reach : 1));
   return rect_of(points, view, width, height, margin);
 }
 

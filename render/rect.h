@@ -21,9 +21,9 @@ Rect united(const Rect& a, const Rect& b);
 // them lies too near to the eye to be projected.
 Rect rect_of(const Eigen::Ref<const Eigen::Matrix3Xf>& points, const View& view, int width, int height, float margin);
 
-// Where a plane can be darkened by solids within the bounds: below them, and where their shadow falls when the light
+// Where a plane can be darkened by a solid with these vertices: below them, and where their shadow falls when the light
 // comes from `key` (unit, towards the light). The margin in pixels is the width of the darkening around contacts.
-Rect shade_rect(const Point& point, const Point& normal, const Bounds& bounds, const Eigen::Vector3f& key,
-                const View& view, int width, int height, float margin);
+Rect shade_rect(const Point& point, const Point& normal, const Eigen::Ref<const Eigen::Matrix3Xf>& vertices,
+                const Eigen::Vector3f& key, const View& view, int width, int height, float margin);
 
 }  // namespace render

@@ -35,6 +35,12 @@ int checked_samples(int samples) {
   return samples;
 }
 
+// Every `step`-th vertex.
+Eigen::Map<const Eigen::Matrix3Xf, 0, Eigen::OuterStride<>> vertices_of(const Surface& surface, Eigen::Index step) {
+  const auto count = static_cast<Eigen::Index>(surface.positions.size() / 3);
+  return {surface.positions.data(), 3, (count + step - 1) / step, Eigen::OuterStride<>(3 * step)};
+}
+
 }  // namespace
 
 // The stages of a picture, and what they keep from frame to frame.
@@ -52,7 +58,7 @@ struct Renderer::Parts {
         block(make_buffer(gl)) {}
 
   void update(const Frame& frame, const View& view);
-  void find_rects(const Frame& frame, const View& view, const Bounds& bounds, const Light& light);
+  void find_rects(const Frame& frame, const View& view, const Light& light);
   void upload_block(const View& view, const Bounds& bounds, const Light& light);
   void draw_light(const Frame& frame, const View& view);
   void draw_bodies(const Frame& frame, const View& view);
@@ -96,28 +102,30 @@ void Renderer::Parts::update(const Frame& frame, const View& view) {
   for (std::size_t i = 0; i < frame.ghosts.size(); ++i) buffers[solids.size() + i].update(frame.ghosts[i], scale);
 }
 
-void Renderer::Parts::find_rects(const Frame& frame, const View& view, const Bounds& bounds, const Light& light) {
+void Renderer::Parts::find_rects(const Frame& frame, const View& view, const Light& light) {
   const int width = canvas.width(), height = canvas.height();
   marker_size = std::max(3.0F, 0.0125F * static_cast<float>(height));
   region = {};
-  const auto add = [&](const std::vector<float>& positions) {
-    const Eigen::Map<const Eigen::Matrix3Xf> points(positions.data(), 3,
-                                                    static_cast<Eigen::Index>(positions.size() / 3));
-    region = united(region, rect_of(points, view, width, height, 4));
-  };
-  for (const Surface* solid : solids) add(solid->positions);
-  for (const Surface& ghost : frame.ghosts) add(ghost.positions);
+  for (const Surface* solid : solids) region = united(region, rect_of(vertices_of(*solid, 1), view, width, height, 4));
+  for (const Surface& ghost : frame.ghosts) {
+    region = united(region, rect_of(vertices_of(ghost, 1), view, width, height, 4));
+  }
   for (const Marker& marker : frame.markers) {
     region = united(region, rect_of(to_vector(marker.at), view, width, height, marker_size));
   }
   shades = {{}, std::vector<Rect>(frame.planes.size())};
   if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) return;
-  const auto shade = [&](const Point& point, const Point& normal) {
-    return shade_rect(point, normal, bounds, light.key, view, width, height, 0.1F * static_cast<float>(height));
-  };
-  if (frame.ground) shades.ground = shade(frame.ground->point, frame.ground->normal);
-  for (std::size_t i = 0; i < frame.planes.size(); ++i) {
-    shades.planes[i] = shade(frame.planes[i].point, frame.planes[i].normal);
+  for (const Surface* solid : solids) {
+    // Some thousands of the vertices tell as much as all, given the margin.
+    const auto vertices = vertices_of(*solid, 1 + static_cast<Eigen::Index>(solid->positions.size() / 3 / 4000));
+    const auto widen = [&](Rect& rect, const Point& point, const Point& normal) {
+      const float margin = 0.09F * static_cast<float>(height);
+      rect = united(rect, shade_rect(point, normal, vertices, light.key, view, width, height, margin));
+    };
+    if (frame.ground) widen(shades.ground, frame.ground->point, frame.ground->normal);
+    for (std::size_t i = 0; i < frame.planes.size(); ++i) {
+      widen(shades.planes[i], frame.planes[i].point, frame.planes[i].normal);
+    }
   }
 }
 
@@ -197,7 +205,7 @@ Image Renderer::draw(const Frame& frame) {
   const Light light = light_of(frame, view);
   p.context.make_current();
   p.update(frame, view);
-  p.find_rects(frame, view, bounds, light);
+  p.find_rects(frame, view, light);
   p.upload_block(view, bounds, light);
   p.draw_light(frame, view);
   p.canvas.draw_into_picture();

@@ -98,6 +98,7 @@ void place_nodes(System::Parts& parts) {
       parts.X.segment(static_cast<Eigen::Index>(range.first_node + i) * parts.D, range.mesh->dimension()) =
           range.mesh->X.col(i);
   }
+  parts.bound = 1e12 * parts.X.cwiseAbs().maxCoeff();
 }
 
 void add_loads(System::Parts& parts, std::size_t b) {

@@ -40,6 +40,7 @@ struct System::Parts {
   Pins pins;
   std::vector<ProbePlace> probes;
   double energy_scale = 0;     // J: Young's modulus times volume, all bodies; round-off of U is relative to it
+  double bound = 0;            // m: a position beyond it has no meaning left, 1e12 sizes of the scene
   std::vector<std::string> remarks;
 
   Eigen::Index dofs() const { return static_cast<Eigen::Index>(node_count) * D; }

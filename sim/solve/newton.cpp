@@ -8,7 +8,7 @@ namespace sim {
 
 namespace {
 
-constexpr double linear_tolerance = 1e-3;      // |residual of the linear solve| / |right-hand side|
+constexpr double linear_tolerance = 1e-2;      // |residual of the linear solve| / |right-hand side|
 constexpr double armijo = 1e-4;                // share of the predicted decrease that a step must give
 constexpr int most_halvings = 40;
 constexpr double step_share = 0.9;             // of the largest step that a term allows

@@ -15,9 +15,11 @@ bool finish_step(const System::Parts& parts, TangentOperator& tangent, const Sta
       report.min_J_element = parts.ranges[parts.elastic_body[e]].first_element + least.element;
     }
   }
-  if (state.x.allFinite() && state.v.allFinite()) return true;
-  report.failure = "positions or velocities are not finite";
-  return false;
+  if (!state.x.allFinite() || !state.v.allFinite())
+    report.failure = "positions or velocities are not finite";
+  else if (state.x.cwiseAbs().maxCoeff() > parts.bound)
+    report.failure = "positions have left all bounds (1e12 sizes of the scene): the step is unstable";
+  return report.failure.empty();
 }
 
 }  // namespace sim

@@ -11,6 +11,8 @@ namespace {
 TEST(RunFolder, IsMadeWithItsParents) {
   const TemporaryFolder temporary;
   const RunFolder folder(temporary / "out" / "bear", Existing::refuse);
+  EXPECT_FALSE(std::filesystem::exists(temporary / "out"));  // a run that cannot begin leaves nothing
+  folder.make_folder(folder.path());
   EXPECT_TRUE(std::filesystem::is_directory(temporary / "out" / "bear"));
   EXPECT_EQ(folder.frame(7), temporary / "out" / "bear" / "frames" / "frame_00007.png");
   EXPECT_EQ(folder.frame(123456).filename(), "frame_123456.png");
@@ -64,8 +66,10 @@ TEST(RunFolder, ResumingNeedsAState) {
 TEST(RunFolder, AFileInTheWayIsNamed) {
   const TemporaryFolder temporary;
   write_all(temporary / "out", "a file");
-  EXPECT_THROW(RunFolder(temporary / "out", Existing::overwrite), WriteError);
-  EXPECT_THROW(RunFolder(temporary / "out" / "deeper", Existing::overwrite), WriteError);
+  for (const std::filesystem::path& path : {temporary / "out", temporary / "out" / "deeper"}) {
+    const RunFolder folder(path, Existing::refuse);
+    EXPECT_THROW(folder.make_folder(path), WriteError);
+  }
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ Scene everything() {
   body.pins.clear();
   body.damping = {0.7, 2e-3};
   body.tractions = {Traction{InGroup{"right"}, {300, -200, 500}, 0.0}};
-  Obstacle floor{Plane{{0, 0, -0.002}, {0, 0, 1}}, 0.4}, ball{Sphere{{2, 0.5, 3.002}, 2}, 0.3};
+  Obstacle floor{Plane{{0, 0, -0.002}, {0, 0, 1}}, 0.4}, ball{Sphere{{2, 0, 3.002}, 2}, 0.3};
   scene.obstacles = {floor, ball};
   scene.springs = {Spring{"beam", {2, 0.5, 0.5}, {2, 1, 1}, 5000}};
   return scene;
