@@ -49,8 +49,8 @@ float key_light(vec3 world, vec3 normal, float phase) {
   mat2 spin = rotation(6.2831853 * phase);
   vec2 arm = spin[0];
   float found = 0.0, gap = 0.0;
-  for (int i = 0; i < 6; ++i) {
-    float d = textureLod(shadow_map, p.xy + arm * (sqrt((float(i) + phase) / 6.0) * widest), 0.0).r;
+  for (int i = 0; i < 5; ++i) {
+    float d = textureLod(shadow_map, p.xy + arm * (sqrt((float(i) + phase) / 5.0) * widest), 0.0).r;
     float blocks = d < receiver ? 1.0 : 0.0;
     found += blocks;
     gap += blocks * (p.z - d);
@@ -59,19 +59,19 @@ float key_light(vec3 world, vec3 normal, float phase) {
   float width = clamp(gap / max(found, 1.0) * deep / side * lamp, 1.5 * texel, widest);
   float lit = 0.0;
   arm = spin[1];
-  for (int i = 0; i < 8; ++i) {
-    float d = textureLod(shadow_map, p.xy + arm * (sqrt((float(i) + phase) / 8.0) * width), 0.0).r;
+  for (int i = 0; i < 6; ++i) {
+    float d = textureLod(shadow_map, p.xy + arm * (sqrt((float(i) + phase) / 6.0) * width), 0.0).r;
     lit += d < receiver ? 0.0 : 1.0;
     arm = golden * arm;
   }
-  return found > 0.0 && inside ? lit / 8.0 : 1.0;
+  return found > 0.0 && inside ? lit / 6.0 : 1.0;
 }
 )";
 
 // Share of the sky: pairs of opposite neighbours. Window depth is linear on planes, so the mean of a pair lies in
 // front of the point just where the surface is hollow.
 constexpr std::string_view sky_part = R"(
-const mat2 fifth = mat2(0.8090170, 0.5877853, -0.5877853, 0.8090170);  // of a half turn
+const mat2 eighth = mat2(0.7071068, 0.7071068, -0.7071068, 0.7071068);  // of a turn
 
 float sky_light(vec2 place, float d, float z, float phase) {
   float radius = 0.085 * forward.w;  // world
@@ -79,18 +79,18 @@ float sky_light(vec2 place, float d, float z, float phase) {
   pixels = clamp(pixels, 3.0, 0.25 * size.w);
   float n = depth_range.x, f = depth_range.y;
   float to_length = eye.w > 0.5 ? f - n : z * z * (f - n) / (n * f);
-  vec2 arm = rotation(0.6283185 * phase)[0] * pixels / size.zw;
+  vec2 arm = rotation(0.7853982 * phase)[0] * pixels / size.zw;
   float dark = 0.0;
-  for (int i = 0; i < 5; ++i) {
-    float share = (float((i * 2) % 5) + 0.4 + 0.6 * phase) / 5.0;
+  for (int i = 0; i < 4; ++i) {
+    float share = (float((i * 3 + 1) % 4) + 0.4 + 0.6 * phase) / 4.0;
     float one = (d - textureLod(depth_map, place + arm * share, 0.0).r) * to_length;
     float two = (d - textureLod(depth_map, place - arm * share, 0.0).r) * to_length;
     float hollow = 0.5 * (one + two) / (radius * share);
     float near_by = 1.0 - smoothstep(1.0, 3.0, max(one, two) / radius);
     dark += clamp(hollow - 0.04, 0.0, 1.0) * near_by;
-    arm = fifth * arm;
+    arm = eighth * arm;
   }
-  return 1.0 - min(1.7 * dark / 5.0, 0.85);
+  return 1.0 - min(1.7 * dark / 4.0, 0.85);
 }
 )";
 

@@ -36,8 +36,8 @@ TEST(ColourRange, OneSharpCornerDoesNotDecide) {
 TEST(ColourRange, StretchAndJLieAroundOne) {
   const Eigen::VectorXd J{{0.7, 1.0, 1.1}};
   const ColourRange range = colour_range(sim::Quantity::J, std::nullopt, J, 1e6);
-  EXPECT_FLOAT_EQ(range.scale.low, 1 - 0.2F);
-  EXPECT_FLOAT_EQ(range.scale.high, 1 + 0.2F);
+  EXPECT_FLOAT_EQ(range.scale.low, 0.5F);
+  EXPECT_FLOAT_EQ(range.scale.high, 1.5F);
 }
 
 TEST(ColourRange, PlainHasNoValues) {

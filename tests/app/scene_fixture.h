@@ -35,6 +35,11 @@ plane = { point = [0, -1, 0], normal = [0, 3, 4] }
 friction = 0.3
 [[obstacle]]
 sphere = [[9, 0, 0], 2]
+[[spring]]
+body = "beam"
+at = [2, 0.5, 0.5]
+target = [2, 2, 0.5]
+stiffness = 100
 [[probe]]
 name = "tip"
 body = "beam"
