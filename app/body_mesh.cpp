@@ -1,5 +1,6 @@
 #include "app/body_mesh.h"
 
+#include <cmath>
 #include <tuple>
 
 #include "app/files/mesh_file.h"
@@ -16,8 +17,12 @@ namespace {
 using sim::ElementKind;
 using sim::InputError;
 
-// A mesh larger than this is taken for a slip of the pen.
-constexpr double kMostElements = 5e7;
+// A larger mesh is taken for a slip of the pen: its matrix alone would fill 20 GB.
+constexpr double kMostElements = 2e7;
+
+void check_count(double elements, const std::string& key) {
+  if (elements > kMostElements) throw InputError(key, "makes more than 2e7 elements");
+}
 
 void check_axes(const MeshSpec& spec) {
   const std::size_t count = axes(spec.source);
@@ -25,6 +30,9 @@ void check_axes(const MeshSpec& spec) {
   if (spec.cells.empty()) throw InputError("mesh", "'cells' is missing: the number of cells per axis");
   if (spec.cells.size() != count) throw InputError("mesh.cells", right);
   if (spec.grading.size() != count) throw InputError("mesh.grading", right);
+  double cells = 1;
+  for (const int n : spec.cells) cells *= n;
+  check_count(cells, "mesh.cells");
 }
 
 sim::Mesh generate(const MeshSpec& spec) {
@@ -80,10 +88,9 @@ sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
   add_remark(remarks, check.reoriented, "elements were inside out and have been turned");
   add_remark(remarks, check.dropped_nodes, "nodes of no element have been dropped");
   add_remark(remarks, check.dropped_facets, "facets of groups lie on no element and have been dropped");
-  for (int i = 0; i < spec.refine; ++i) {
-    if (mesh.element_count() * 8.0 > kMostElements) throw InputError("mesh.refine", "makes more than 5e7 elements");
-    mesh = sim::refine(mesh);
-  }
+  const double children = sim::info(mesh.kind).dimension == 2 ? 4 : 8;
+  check_count(mesh.element_count() * std::pow(children, spec.refine), "mesh.refine");
+  for (int i = 0; i < spec.refine; ++i) mesh = sim::refine(mesh);
   return mesh;
 }
 

@@ -62,14 +62,20 @@ void add_scene_options(CLI::App& command, Options& options) {
       ->check(CLI::Range(1, kMostThreads))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "Of everything random in a scene")->type_name("N")->capture_default_str();
+  command.add_option("--seed", options.seed, "Of everything random in a scene")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N")
+      ->capture_default_str();
   command.add_flag("--quiet", options.quiet, "No progress; errors only");
 }
 
 void add_output_options(CLI::App& command, Options& options) {
-  command.add_option("-o,--out", options.out, "Run folder; out/NAME of the scene file when not given")
-      ->type_name("DIR");
-  command.add_option("--resume", options.resume, "Go on from the state.bin of this run folder")->type_name("DIR");
+  CLI::Option* const out =
+      command.add_option("-o,--out", options.out, "Run folder; out/NAME of the scene file when not given");
+  out->type_name("DIR");
+  command.add_option("--resume", options.resume, "Go on in this run folder, from its state.bin")
+      ->type_name("DIR")
+      ->excludes(out);
   command.add_flag("--overwrite", options.overwrite, "Replace what an earlier run left in the run folder");
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }

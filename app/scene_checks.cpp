@@ -44,6 +44,13 @@ void check_alternatives(const Item& item, const Places& places) {
   }
 }
 
+// Entries of a list are numbered without a gap.
+void check_position(const Item& item, const Places& places) {
+  if (item.key->kind != Kind::list || std::get<std::int64_t>(item.value) == 0) return;
+  const std::string before = key_path(parent(item.path), std::to_string(std::get<std::int64_t>(item.value) - 1));
+  if (!places.contains(before)) throw InputError(item.path, "there is no " + before + " that it could follow");
+}
+
 // `list` is the pattern of a list of names, as in "body[].name".
 template <class List>
 void check_unique(const List& list, const std::string& path) {
@@ -116,6 +123,7 @@ void check_presence(const std::vector<Item>& items, const Places& places) {
   check_required("", "", places);
   for (const Item& item : items) {
     if (item.key->kind != Kind::table && item.key->kind != Kind::list) continue;
+    check_position(item, places);
     check_required(item.path, item.key->path, places);
     check_alternatives(item, places);
   }

@@ -7,7 +7,7 @@
 
 namespace app {
 
-// Required keys are there; of alternatives there is one.
+// Required keys are there; of alternatives there is one; lists have no gaps.
 void check_presence(const std::vector<Item>& items, const Places& places);
 
 // Points have as many numbers as the scene has dimensions, and keys of the other dimension are absent.

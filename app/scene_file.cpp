@@ -19,12 +19,7 @@ void apply(const std::vector<Item>& items, Document& document) {
       }
       const std::int64_t index = std::get<std::int64_t>(item.value);
       const std::int64_t count = std::get<std::int64_t>(*key.binding.get(document, item.indices));
-      if (index > count) {
-        throw sim::InputError(item.path, "there is no such entry: the list has " + std::to_string(count) +
-                                             ", numbered from 0, and a new one would be number " +
-                                             std::to_string(count));
-      }
-      if (index == count) key.binding.set(document, item.indices, count + 1);
+      if (index >= count) key.binding.set(document, item.indices, index + 1);
     }
   }
 }

@@ -14,11 +14,11 @@ namespace {
 }
 
 double number(const toml::node& node, const Key& key) {
-  const std::optional<double> x = node.is_number() ? node.value<double>() : std::nullopt;
-  if (!x) refuse(kind_text(key));
-  if (!std::isfinite(*x)) refuse("finite");
-  if (!key.range.contains(*x)) refuse(key.range.text());
-  return *x;
+  if (!node.is_number()) refuse(kind_text(key));
+  const double x = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+  if (!std::isfinite(x)) refuse("finite");
+  if (!key.range.contains(x)) refuse(key.range.text());
+  return x;
 }
 
 std::int64_t integer(const toml::node& node, const Key& key) {

@@ -104,9 +104,9 @@ bool plausible(const sim::State& state) {
       good = good && std::isfinite(static_cast<double>(field));
   });
   // A factor that is held was made somewhere.
-  return good && (state.kept.valid == 0 || (state.kept.x.size() == state.x.size() && state.kept.v.size() == state.x.size() &&
-                                            state.kept.x_begin.size() == state.x.size() &&
-                                            state.kept.v_begin.size() == state.x.size()));
+  return good && (state.kept.valid == 0 ||
+                  (state.kept.x.size() == state.x.size() && state.kept.v.size() == state.x.size() &&
+                   state.kept.x_begin.size() == state.x.size() && state.kept.v_begin.size() == state.x.size()));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // state.bin: what a run goes on from.
 //
-// Little-endian: "RITZSTAT", version (u32), scene (u64), newton, linear, not_converged (i64), min_J (f64), every field of
-// the state in the order of sim::for_each_field (integers i64, numbers f64, vectors their length as u64 and their numbers),
-// FNV-1a of all before it (u64).
+// Little-endian: "RITZSTAT", version (u32), scene (u64), newton, linear, not_converged (i64), min_J (f64), every field
+// of the state in the order of sim::for_each_field (integers i64, numbers f64, vectors their length as u64 and their
+// numbers), FNV-1a of all before it (u64).
 #pragma once
 
 #include <cstdint>

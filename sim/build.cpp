@@ -22,14 +22,23 @@ namespace {
 
 std::string key_of(const char* list, std::size_t k) { return std::string(list) + "." + std::to_string(k); }
 
+// Calls f; errors that name a key below `prefix` then name the whole path.
+template <class F>
+auto below(const std::string& prefix, const F& f) {
+  try {
+    return f();
+  } catch (const InputError& error) {
+    throw InputError(prefix + "." + error.key, error.what());
+  }
+}
+
 // Which material each element has: 0 is the body's own, later ones override groups.
 std::vector<int> material_of_elements(const Body& body, std::size_t number) {
   std::vector<int> of(body.mesh.element_count(), 0);
   for (std::size_t m = 1; m < body.materials.size(); ++m) {
-    const Group& group = find_group(body.mesh, body.materials[m].group);
-    if (group.elements.empty())
-      throw InputError(key_of("body", number) + "." + key_of("region", m - 1) + ".group",
-                       "group \"" + group.name + "\" has no elements");
+    const std::string key = key_of("body", number) + "." + key_of("region", m - 1);
+    const Group group = below(key, [&] { return find_group(body.mesh, body.materials[m].group); });
+    if (group.elements.empty()) throw InputError(key + ".group", "group \"" + group.name + "\" has no elements");
     for (const int e : group.elements) of[e] = static_cast<int>(m);
   }
   return of;
@@ -64,23 +73,23 @@ void add_body(System::Parts& parts, std::size_t b) {
   const std::vector<int> material = material_of_elements(body, b);
   std::vector<double> density(material.size());
   for (std::size_t e = 0; e < material.size(); ++e) density[e] = body.materials[material[e]].density;
-  parts.masses.emplace_back(body, density, range.first_node);
+  below(key_of("body", b), [&] { parts.masses.emplace_back(body, density, range.first_node); });
   const std::vector<int> order = spatial_order(body.mesh);
   for (std::size_t m = 0; m < body.materials.size(); ++m) {
     ElasticInput input{body, body.materials[m], {}, range.first_node, parts.node_count};
     for (const int e : order)
       if (material[e] == static_cast<int>(m)) input.elements.push_back(e);
     if (input.elements.empty()) continue;
-    auto term = make_elastic(input, parts.D);
+    auto term = below(key_of("body", b), [&] { return make_elastic(input, parts.D); });
     parts.elastic.push_back(term.get());
     parts.elastic_body.push_back(static_cast<int>(b));
     parts.energy_scale += body.materials[m].young * term->volume();
     parts.terms.push_back(std::move(term));
   }
   for (std::size_t k = 0; k < body.pins.size(); ++k) {
-    std::vector<int> nodes = nodes_in(body.mesh, body.pins[k].where);
-    if (nodes.empty())
-      throw InputError(key_of("body", b) + "." + key_of("pin", k), "no node of \"" + body.name + "\" is in this region");
+    const std::string key = key_of("body", b) + "." + key_of("pin", k);
+    std::vector<int> nodes = below(key, [&] { return nodes_in(body.mesh, body.pins[k].where); });
+    if (nodes.empty()) throw InputError(key, "no node of \"" + body.name + "\" is in this region");
     for (int& node : nodes) node += range.first_node;
     parts.pins.add(body.pins[k], nodes, parts.X, parts.D);
   }
@@ -104,10 +113,9 @@ void place_nodes(System::Parts& parts) {
 void add_loads(System::Parts& parts, std::size_t b) {
   const Body& body = parts.bodies[b];
   for (std::size_t k = 0; k < body.tractions.size(); ++k) {
-    const Eigen::MatrixXi facets = facets_in(body.mesh, body.tractions[k].where);
-    if (facets.cols() == 0)
-      throw InputError(key_of("body", b) + "." + key_of("traction", k),
-                       "no boundary facet of \"" + body.name + "\" is in this region");
+    const std::string key = key_of("body", b) + "." + key_of("traction", k);
+    const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.tractions[k].where); });
+    if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
     parts.terms.push_back(std::make_unique<TractionLoad>(body, body.tractions[k], facets, parts.ranges[b].first_node,
                                                          parts.X, parts.D));
   }
@@ -167,6 +175,12 @@ void add_springs(System::Parts& parts, const std::vector<Spring>& springs) {
   }
 }
 
+void warn_of_mass_solve(System::Parts& parts) {
+  const auto consistent = [](const Mass& mass) { return !mass.lumped(); };
+  if (parts.scheme->stages.empty() && std::any_of(parts.masses.begin(), parts.masses.end(), consistent))
+    parts.remarks.push_back("consistent mass in an explicit scheme: every step solves a linear system with M");
+}
+
 // Explicit schemes with substeps = 0: what stability needs, with a margin for what stiffens while it moves.
 void settle_substeps(System::Parts& parts) {
   constexpr double margin = 0.8;
@@ -180,7 +194,12 @@ void settle_substeps(System::Parts& parts) {
 
 void form_pattern(System::Parts& parts) {
   if (parts.scheme->stages.empty()) return;
+  const bool by_itself = parts.solver.linear == "auto";
   parts.solver.linear = settled_solver(parts.solver.linear, parts.dofs());
+  if (by_itself)
+    parts.remarks.push_back(parts.solver.linear == "pcg"
+                                ? "solver: conjugate gradients without a matrix, for this size"
+                                : "solver: conjugate gradients on the matrix; CHOLMOD from where they take too long");
   if (!forms_matrix(parts.solver.linear)) return;
   Coupling coupling(parts.node_count);
   for (const Mass& mass : parts.masses) mass.couple(coupling);
@@ -215,6 +234,7 @@ std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
   add_springs(*parts, scene.springs);
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(*parts, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
+  warn_of_mass_solve(*parts);
   settle_substeps(*parts);
   form_pattern(*parts);
   return parts;

@@ -8,6 +8,11 @@ IterativeSolver::IterativeSolver(const System::Parts& parts) : inverse_diagonal_
 
 LinearResult IterativeSolver::solve(const TangentOperator& A, const Linearisation&, const Eigen::VectorXd& r,
                                     double tolerance, KeptFactor&, Eigen::VectorXd& dx) {
+  return solve_within(100 + static_cast<int>(std::min<Eigen::Index>(r.size(), 20000)), A, r, tolerance, dx);
+}
+
+LinearResult IterativeSolver::solve_within(int most, const TangentOperator& A, const Eigen::VectorXd& r,
+                                           double tolerance, Eigen::VectorXd& dx) {
   A.diagonal(inverse_diagonal_);
   inverse_diagonal_ = inverse_diagonal_.array().abs().inverse();
   if (matrix_) A.assemble(*matrix_);
@@ -19,7 +24,6 @@ LinearResult IterativeSolver::solve(const TangentOperator& A, const Linearisatio
   const auto precondition = [&](const Eigen::VectorXd& residual, Eigen::VectorXd& z) {
     z = inverse_diagonal_.cwiseProduct(residual);
   };
-  const int most = 100 + static_cast<int>(std::min<Eigen::Index>(r.size(), 20000));
   const PcgResult cg = pcg(multiply, precondition, r, tolerance, most, scratch_, dx);
   // Negative curvature at once: there is no direction to use. Later: what was reached is one.
   return {cg.iterations, 0, cg.positive_definite || cg.iterations > 1, cg.converged};

@@ -15,6 +15,9 @@ class IterativeSolver final : public LinearSolver {
 
   LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
                      KeptFactor& kept, Eigen::VectorXd& dx) override;
+  // At most so many iterations.
+  LinearResult solve_within(int most, const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
+                            Eigen::VectorXd& dx);
 
  private:
   std::optional<BlockMatrix> matrix_;

@@ -1,14 +1,13 @@
 #include "sim/solve/linear_solver.h"
 
-#include "sim/solve/direct_solver.h"
-#include "sim/solve/iterative_solver.h"
+#include "sim/solve/auto_solver.h"
 
 namespace sim {
 
 std::string settled_solver(const std::string& linear, Eigen::Index dofs) {
   // Beyond this size the factor of a solid no longer pays: it grows like n^(4/3), an iteration like n.
   constexpr Eigen::Index largest_factor = 200000;
-  if (linear == "auto") return dofs <= largest_factor ? "cholmod" : "pcg";
+  if (linear == "auto") return dofs <= largest_factor ? "auto" : "pcg";
   if (linear == "cholmod" || linear == "pcg" || linear == "pcg-assembled") return linear;
   throw InputError("solver.linear", "\"" + linear + "\" is not a solver: cholmod, pcg, pcg-assembled or auto");
 }
@@ -16,6 +15,7 @@ std::string settled_solver(const std::string& linear, Eigen::Index dofs) {
 bool forms_matrix(const std::string& settled) { return settled != "pcg"; }
 
 std::unique_ptr<LinearSolver> make_linear_solver(const System::Parts& parts) {
+  if (parts.solver.linear == "auto") return std::make_unique<AutoSolver>(parts);
   if (parts.solver.linear == "cholmod") return std::make_unique<DirectSolver>(parts);
   return std::make_unique<IterativeSolver>(parts);
 }

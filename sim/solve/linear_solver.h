@@ -36,7 +36,7 @@ class LinearSolver {
   virtual void restore(const TangentOperator& /*A*/, const KeptFactor& /*kept*/) {}
 };
 
-// "cholmod", "pcg" (forms no matrix), "pcg-assembled", or "auto", which takes one of them by size.
+// "cholmod", "pcg" (forms no matrix), "pcg-assembled", or "auto": by size and by counts of iterations.
 // Throws InputError (key "solver.linear") for another name.
 std::unique_ptr<LinearSolver> make_linear_solver(const System::Parts& parts);
 

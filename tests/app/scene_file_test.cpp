@@ -143,6 +143,18 @@ TEST_F(SceneFile, SettingsLieOverTheScene) {
   EXPECT_TRUE(message.ends_with("wrong.toml:3: time.fps = 0: must be in [1, 1e+06]")) << message;
 }
 
+// Names of a table come in the order of their letters: 10 before 2.
+TEST_F(SceneFile, EntriesOfAListMayBeNamedByNumber) {
+  std::string text = body("");
+  for (int i = 0; i < 12; ++i) {
+    text +=
+        "[probe." + std::to_string(i) + "]\nname = \"p" + std::to_string(i) + "\"\nbody = \"body0\"\nat = [0, 0, 0]\n";
+  }
+  const Document document = load(text);
+  ASSERT_EQ(document.scene.probes.size(), 12U);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(document.scene.probes[i].name, "p" + std::to_string(i));
+}
+
 TEST_F(SceneFile, MeshFilesAreFoundFromTheScene) {
   file("meshes/two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
   write_all(folder_ / "scenes/a.toml",

@@ -137,9 +137,9 @@ TEST(Pins, FollowTheirScriptAndLetGo) {
 TEST(Solvers, AgreeWithEachOther) {
   Scene scene = test::beam("tet4", 2);
   scene.solver.tolerance = 1e-11;
-  Vec3 tip[3];
+  Vec3 tip[4];
   int k = 0;
-  for (const char* linear : {"cholmod", "pcg", "pcg-assembled"}) {
+  for (const char* linear : {"cholmod", "pcg", "pcg-assembled", "auto"}) {
     scene.solver.linear = linear;
     Stepped run(scene);
     run.steps(10);
@@ -147,6 +147,7 @@ TEST(Solvers, AgreeWithEachOther) {
   }
   EXPECT_LT((tip[0] - tip[1]).norm(), 1e-9);
   EXPECT_LT((tip[0] - tip[2]).norm(), 1e-9);
+  EXPECT_LT((tip[0] - tip[3]).norm(), 1e-9);
   EXPECT_GT(tip[0].norm(), 0.1);
 }
 

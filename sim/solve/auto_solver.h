@@ -1,0 +1,33 @@
+// Starts with conjugate gradients on the assembled matrix and goes over to CHOLMOD for good once they need too many
+// iterations: a choice by counts, so the same on every machine. That a factor is held says that it was made.
+#pragma once
+
+#include "sim/solve/direct_solver.h"
+#include "sim/solve/iterative_solver.h"
+
+namespace sim {
+
+class AutoSolver final : public LinearSolver {
+ public:
+  explicit AutoSolver(const System::Parts& parts) : iterative_(parts), direct_(parts) {}
+
+  LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
+                     KeptFactor& kept, Eigen::VectorXd& dx) override {
+    // About as long as a factor, shared by the steps that it serves, and its solves take (beam of 8,000 to 24,000 dofs).
+    constexpr int too_many = 200;
+    if (kept.valid) return direct_.solve(A, where, r, tolerance, kept, dx);
+    const LinearResult tried = iterative_.solve_within(too_many, A, r, tolerance, dx);
+    if (tried.solved && tried.positive_definite) return tried;
+    LinearResult result = direct_.solve(A, where, r, tolerance, kept, dx);
+    result.iterations += tried.iterations;
+    return result;
+  }
+  bool lost(const KeptFactor& kept) const override { return direct_.lost(kept); }
+  void restore(const TangentOperator& A, const KeptFactor& kept) override { direct_.restore(A, kept); }
+
+ private:
+  IterativeSolver iterative_;
+  DirectSolver direct_;
+};
+
+}  // namespace sim
