@@ -74,7 +74,7 @@ void main() {
   float g32 = g8 * g8; g32 *= g32;
   float gloss = (0.035 * g8 + 0.10 * g32 * g32) * lit.x * step(0.0, facing);
   float away = 1.0 - max(dot(n, v), 0.0);
-  float rim = (0.03 + 0.97 * away * away * away * away * away) * mix(0.10, 0.55, above) * lit.y;
+  float rim = (0.03 + 0.97 * away * away * away * away * away) * (0.55 * above * above) * lit.y;
   colour = vec4(to_srgb(skin * light * (1.0 - 0.5 * rim) + vec3(gloss + 0.45 * rim)), 1.0);
 }
 )";

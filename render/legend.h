@@ -6,7 +6,7 @@
 
 namespace render {
 
-// Draws at the right edge, centred in height.
-void draw_legend(const Page& page, const ColourScale& scale);
+// Draws at the right edge, centred in height, but not below `bottom` (pixels from above).
+void draw_legend(const Page& page, const ColourScale& scale, float bottom);
 
 }  // namespace render

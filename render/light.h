@@ -49,10 +49,14 @@ layout(std140) uniform Frame {
   vec4 size;
 };
 
-// Distance along the view from the depth d of a pixel, 0 to 1.
+// Distance along the view from the depth d of a pixel, 0 to 1, and how it grows with d.
 float eye_depth(float d) {
   float n = depth_range.x, f = depth_range.y;
   return eye.w > 0.5 ? n + d * (f - n) : n * f / (f - d * (f - n));
+}
+float eye_depth_slope(float z) {
+  float n = depth_range.x, f = depth_range.y;
+  return eye.w > 0.5 ? f - n : z * z * (f - n) / (n * f);
 }
 )";
 

@@ -83,9 +83,9 @@ void Overlay::draw(const Frame& frame, const View& view) {
                                     [](const Surface& surface) { return !surface.values.empty(); });
   if (view.orthographic && frame.look.axes) draw_axes(page_, view, frame.look.length);
   if (view.orthographic && frame.look.scale_bar) draw_scale_bar(page_, view, frame.look.length);
-  if (frame.scale && frame.look.legend && coloured) draw_legend(page_, *frame.scale);
-  const float caption_end = draw_strips(page_, frame.strips);
-  draw_words(frame, view, caption_end);
+  const ImVec2 strips = draw_strips(page_, frame.strips);
+  if (frame.scale && frame.look.legend && coloured) draw_legend(page_, *frame.scale, strips.y - 0.5F * page_.margin);
+  draw_words(frame, view, strips.x);
   ImGui::Render();
   painter_->draw(*ImGui::GetDrawData());
 }

@@ -115,17 +115,19 @@ void Renderer::Parts::find_rects(const Frame& frame, const View& view, const Lig
   }
   shades = {{}, std::vector<Rect>(frame.planes.size())};
   if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) return;
+  if (!frame.planes.empty()) {
+    // Planes and ground meet anywhere.
+    shades.ground = {0, 0, width, height};
+    std::fill(shades.planes.begin(), shades.planes.end(), shades.ground);
+    return;
+  }
+  if (!frame.ground) return;
   for (const Surface* solid : solids) {
     // Some thousands of the vertices tell as much as all, given the margin.
     const auto vertices = vertices_of(*solid, 1 + static_cast<Eigen::Index>(solid->positions.size() / 3 / 4000));
-    const auto widen = [&](Rect& rect, const Point& point, const Point& normal) {
-      const float margin = 0.09F * static_cast<float>(height);
-      rect = united(rect, shade_rect(point, normal, vertices, light.key, view, width, height, margin));
-    };
-    if (frame.ground) widen(shades.ground, frame.ground->point, frame.ground->normal);
-    for (std::size_t i = 0; i < frame.planes.size(); ++i) {
-      widen(shades.planes[i], frame.planes[i].point, frame.planes[i].normal);
-    }
+    const Rect rect = shade_rect(frame.ground->point, frame.ground->normal, vertices, light.key, view, width, height,
+                                 0.09F * static_cast<float>(height));
+    shades.ground = united(shades.ground, rect);
   }
 }
 
@@ -151,7 +153,7 @@ void Renderer::Parts::upload_block(const View& view, const Bounds& bounds, const
 void Renderer::Parts::draw_light(const Frame& frame, const View& view) {
   inside_shows = true;
   if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) {
-    visibility.clear(view);
+    visibility.clear();
     return;
   }
   Rect rect = united(region, shades.ground);

@@ -49,6 +49,7 @@ void draw_scale_bar(const Page& page, const View& view, const std::string& unit)
   const float right = page.width - 1.5F * page.margin, left = right - pixels;
   const float y = std::round(page.height - 3.4F * page.size);
   const float thick = std::max(2.0F, std::round(0.16F * page.size));
+  page.lay_plate({left - page.size, y - 1.9F * page.size}, {right + page.size, y + page.size});
   page.list->AddRectFilled({left, y}, {right, y + thick}, Page::ink);
   for (const float x : {left, right - thick}) {
     page.list->AddRectFilled({x, y - 0.25F * page.size}, {x + thick, y + thick + 0.25F * page.size}, Page::ink);

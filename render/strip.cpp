@@ -90,11 +90,13 @@ void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high) {
   page.write(x, heading, title, Align::left, Page::ink, 0.72F);
   x += page.measure(title, 0.72F).x + 1.2F * small;
   for (std::size_t i = 0; i < strip.series.size(); ++i) {
+    const float length = page.measure(strip.series[i].name, 0.72F).x;
+    if (x + 1.3F * small + length > high.x) break;  // what does not fit is left out
     const ImU32 colour = line_colours[i % line_colours.size()];
     const float middle = heading + 0.5F * small;
     page.list->AddRectFilled({x, middle - 0.1F * small}, {x + small, middle + 0.1F * small}, colour);
     page.write(x + 1.3F * small, heading, strip.series[i].name, Align::left, Page::soft_ink, 0.72F);
-    x += page.measure(strip.series[i].name, 0.72F).x + 2.2F * small;
+    x += length + 2.2F * small;
   }
   const ImVec2 inner_low{low.x + 4.2F * small, low.y + 1.9F * small};
   const ImVec2 inner_high{high.x - 1.6F * small, high.y - 1.7F * small};
@@ -111,15 +113,16 @@ void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high) {
 
 }  // namespace
 
-float draw_strips(const Page& page, const std::vector<Strip>& strips) {
+ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips) {
+  if (strips.empty()) return {page.width, page.height};
   float right = page.width - page.margin;
-  const float width = std::min(0.36F * page.width, 24 * page.size),
-              height = std::max(0.22F * page.height, 6 * page.size);
+  const float width = std::min(24 * page.size, 0.5F * page.width);
+  const float bottom = page.height - page.margin, top = bottom - std::max(0.22F * page.height, 6 * page.size);
   for (auto strip = strips.rbegin(); strip != strips.rend(); ++strip) {
-    draw_strip(page, *strip, {right - width, page.height - page.margin - height}, {right, page.height - page.margin});
+    draw_strip(page, *strip, {right - width, top}, {right, bottom});
     right -= width + page.margin;
   }
-  return right;
+  return {right, top};
 }
 
 }  // namespace render

@@ -6,7 +6,8 @@
 
 namespace render {
 
-// Draws the strips side by side, the last one in the lower right corner. Returns the left end of what was drawn.
-float draw_strips(const Page& page, const std::vector<Strip>& strips);
+// Draws the strips side by side, the last one in the lower right corner. Returns the upper left corner of what was
+// drawn, the picture's lower right corner without strips.
+ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips);
 
 }  // namespace render

@@ -54,9 +54,9 @@ void set_clip_planes(View& view, float distance, const Bounds& bounds) {
   }
   const float margin = 0.05F * view.extent;
   view.far_distance = farthest + margin;
-  // A parallel camera sees what is behind its eye as well.
-  view.near_distance =
-      view.orthographic ? std::min(nearest - margin, 0.0F) : std::max(nearest - margin, 0.01F * distance);
+  // A parallel camera sees what is behind its eye as well. The ground comes nearer than the solids.
+  view.near_distance = view.orthographic ? std::min(nearest - margin, 0.0F)
+                                         : std::clamp(nearest - margin, 0.01F * distance, 0.08F * distance);
 }
 
 }  // namespace

@@ -77,8 +77,7 @@ float sky_light(vec2 place, float d, float z, float phase) {
   float radius = 0.085 * forward.w;  // world
   float pixels = radius / forward.w * size.w * (eye.w > 0.5 ? 1.0 : eye_distance / z);
   pixels = clamp(pixels, 3.0, 0.25 * size.w);
-  float n = depth_range.x, f = depth_range.y;
-  float to_length = eye.w > 0.5 ? f - n : z * z * (f - n) / (n * f);
+  float to_length = eye_depth_slope(z);
   vec2 arm = rotation(0.7853982 * phase)[0] * pixels / size.zw;
   float dark = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -108,7 +107,7 @@ void main() {
   vec3 world = p.xyz / p.w;
   vec3 normal = normalize(cross(dFdx(world), dFdy(world)));
   float phase = turn(ivec2(gl_FragCoord.xy));
-  result = vec4(1.0, 1.0, z, 1.0);
+  result = vec4(1.0, 1.0, d, 1.0);
 #ifdef SHADOW
   result.x = key_light(world, normal, phase);
 #endif
@@ -119,7 +118,7 @@ void main() {
 }
 )";
 
-// The mean over the 4 x 4 texels around that lie at the same depth.
+// The mean over the 4 x 4 texels around that lie in the same plane.
 constexpr std::string_view smooth_fragment = R"(
 in vec2 place;
 uniform sampler2D raw;
@@ -127,10 +126,14 @@ out vec4 result;
 void main() {
   vec2 texel = 1.0 / size.zw;
   float own = textureLod(raw, place, 0.0).z;
+  float tolerance = 0.01 * forward.w / eye_depth_slope(eye_depth(own));
+  vec2 slope = vec2(dFdx(own), dFdy(own));
+  slope *= step(abs(slope), vec2(5.0 * tolerance));  // an edge, not a slope
   vec3 sum = vec3(0.0);
   for (int k = 0; k < 16; ++k) {
-    vec3 v = textureLod(raw, place + vec2(float(k & 3) - 1.5, float(k >> 2) - 1.5) * texel, 0.0).xyz;
-    sum += vec3(v.xy, 1.0) / (abs(v.z - own) + 0.01 * forward.w);
+    vec2 step = vec2(float(k & 3), float(k >> 2)) - 2.0;
+    vec3 v = textureLod(raw, place + step * texel, 0.0).xyz;
+    sum += vec3(v.xy, 1.0) / (abs(v.z - own - dot(slope, step)) + tolerance);
   }
   result = vec4(sum.xy / sum.z, own, 1.0);
 }
@@ -157,9 +160,9 @@ Visibility::Visibility(const GladGLContext& gl, int width, int height)
       height_((height + scale_ - 1) / scale_) {
   depth_ = make_texture(gl, {GL_DEPTH_COMPONENT32F, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, GL_NEAREST});
   depth_target_ = make_target(gl, GL_DEPTH_ATTACHMENT, depth_, "visibility depth");
-  raw_ = make_texture(gl, {GL_RGBA16F, width_, height_, GL_RGBA, GL_FLOAT, GL_NEAREST});
+  raw_ = make_texture(gl, {GL_RGBA32F, width_, height_, GL_RGBA, GL_FLOAT, GL_NEAREST});
   raw_target_ = make_target(gl, GL_COLOR_ATTACHMENT0, raw_, "visibility");
-  smooth_ = make_texture(gl, {GL_RGBA16F, width_, height_, GL_RGBA, GL_FLOAT, GL_NEAREST});
+  smooth_ = make_texture(gl, {GL_RGBA32F, width_, height_, GL_RGBA, GL_FLOAT, GL_NEAREST});
   smooth_target_ = make_target(gl, GL_COLOR_ATTACHMENT0, smooth_, "smooth visibility");
   depth_program_ = make_program(gl, {frame_block, vertex_attributes, depth_vertex}, {depth_fragment});
   const auto make_raw = [&](const char* parts) {
@@ -212,9 +215,9 @@ bool Visibility::draw(const Frame& frame, const View& view, const SurfaceList& s
   return shows != 0;
 }
 
-void Visibility::clear(const View& view) const {
+void Visibility::clear() const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_target_.name());
-  gl_.ClearColor(1, 1, view.far_distance, 1);
+  gl_.ClearColor(1, 1, 1, 1);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 

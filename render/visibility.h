@@ -9,21 +9,26 @@
 namespace render {
 
 // For the fragment stages that shade: visible(corner of the target in the picture) gives (key light, sky), 0 to 1. Of
-// the four nearest texels of the visibility buffer those count that lie at the pixel's own depth. (A software
-// rasteriser runs both sides of a branch, and loops of fixed length fastest: there is nothing to gain by skipping.)
+// the four nearest texels of the visibility buffer those count that lie in the pixel's own plane; window depth is
+// linear on planes. (A software rasteriser runs both sides of a branch, and loops of fixed length fastest: there is
+// nothing to gain by skipping.)
 inline constexpr std::string_view visibility_lookup = R"(
 uniform sampler2D visibility;
 vec2 visible(ivec2 origin) {
-  vec2 texel = (gl_FragCoord.xy + vec2(origin)) * size.zw / size.xy - 0.5;
+  vec2 scale = size.xy / size.zw;
+  vec2 texel = (gl_FragCoord.xy + vec2(origin)) / scale - 0.5;
   vec2 base = floor(texel);
   vec2 f = texel - base;
-  float depth = eye_depth(gl_FragCoord.z);
+  float depth = gl_FragCoord.z;
+  vec2 slope = vec2(dFdx(depth), dFdy(depth)) * scale;
+  float tolerance = 4e-3 * forward.w / eye_depth_slope(eye_depth(depth));
   vec3 sum = vec3(0.0);
   for (int k = 0; k < 4; ++k) {
     vec2 step = vec2(k & 1, k >> 1);
     vec3 v = textureLod(visibility, (base + step + 0.5) / size.zw, 0.0).xyz;
     vec2 w = mix(1.0 - f, f, step);
-    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-3) / (abs(v.z - depth) + 4e-3 * forward.w));
+    float apart = abs(v.z - depth - dot(slope, step - f));
+    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-3) / (apart + tolerance));
   }
   return sum.xy / sum.z;
 }
@@ -43,8 +48,8 @@ class Visibility {
   bool draw(const Frame& frame, const View& view, const SurfaceList& solids, const Backdrop& backdrop,
             const ShadowMap& shadow, const Rect& rect) const;
   // Fills the buffer with full light.
-  void clear(const View& view) const;
-  // Red: key light, green: sky, blue: depth along the view.
+  void clear() const;
+  // Red: key light, green: sky, blue: window depth.
   const GlObject& texture() const { return smooth_; }
 
  private:
