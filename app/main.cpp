@@ -13,9 +13,12 @@ namespace {
 
 int dispatch(const app::Options& options) {
   switch (options.command) {
-    case app::Command::record: return app::record(options);
-    case app::Command::run: return app::run(options);
-    case app::Command::explain: return app::explain(options);
+    case app::Command::record:
+      return app::record(options);
+    case app::Command::run:
+      return app::run(options);
+    case app::Command::explain:
+      return app::explain(options);
   }
   return app::kBadInput;
 }

@@ -48,7 +48,7 @@ vec3 to_srgb(vec3 light) {
 )";
 
 // Rubber: diffuse light that creeps a little round the terminator (light wanders under the skin), a broad dim gloss,
-// a narrow one, and a rim that mirrors the sky by Schlick's approximation of Fresnel's law.
+// a narrow one, and a rim that mirrors the sky at grazing angles.
 constexpr std::string_view solid_fragment = R"(
 uniform ivec2 origin;
 void main() {
@@ -74,8 +74,9 @@ void main() {
   float g32 = g8 * g8; g32 *= g32;
   float gloss = (0.035 * g8 + 0.10 * g32 * g32) * lit.x * step(0.0, facing);
   float away = 1.0 - max(dot(n, v), 0.0);
-  float rim = (0.03 + 0.97 * away * away * away * away * away) * (0.55 * above * above) * lit.y;
-  colour = vec4(to_srgb(skin * light * (1.0 - 0.5 * rim) + vec3(gloss + 0.45 * rim)), 1.0);
+  away *= away;
+  float rim = away * away * (0.40 * above * above) * lit.y * lit.y;
+  colour = vec4(to_srgb(skin * light + vec3(gloss + 0.5 * rim)), 1.0);
 }
 )";
 

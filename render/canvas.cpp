@@ -63,12 +63,13 @@ Canvas::Canvas(const GladGLContext& gl, int width, int height, int samples)
   picture_depth_ = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, picture_depth_.name());
   check_framebuffer(gl, "picture");
+  if (samples_ == 1) return;
   // The region's first allocation tells how many samples a pixel really has.
   make_region(64, 64);
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, region_colour_.name());
   GLint given = 1;
   gl.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &given);
-  samples_ = std::max(1, static_cast<int>(given));
+  samples_ = static_cast<int>(given);
   copy_ = make_program(gl, {cover_vertex}, {copy_fragment});
   resolve_ = make_program(gl, {cover_vertex}, {"#define SAMPLES " + std::to_string(samples_) + "\n", resolve_fragment});
   empty_ = make_vertex_array(gl);
@@ -92,7 +93,15 @@ void Canvas::draw_into_picture() const {
   gl_.Disable(GL_DEPTH_TEST);
 }
 
-void Canvas::draw_into_region(const Rect& region) {
+Rect Canvas::draw_into_region(const Rect& region) {
+  if (samples_ == 1) {
+    draw_into_picture();
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    return {0, 0, width_, height_};
+  }
   region_ = region;
   if (region.width > region_width_ || region.height > region_height_) {
     // Grown in steps, so that a body that moves does not mean a new buffer every frame.
@@ -116,10 +125,12 @@ void Canvas::draw_into_region(const Rect& region) {
   gl_.DepthFunc(GL_LESS);
   // From here on the viewport is the whole picture's, shifted: the region shows its part.
   gl_.Viewport(-region.x, -region.y, width_, height_);
+  return region;
 }
 
 void Canvas::resolve() {
   draw_into_picture();
+  if (samples_ == 1) return;
   gl_.Viewport(region_.x, region_.y, region_.width, region_.height);
   set_origin(gl_, resolve_, region_);
   gl_.ActiveTexture(GL_TEXTURE0);

@@ -21,8 +21,9 @@ class Canvas {
 
   // Further drawing goes to the picture, one sample a pixel, depth test off.
   void draw_into_picture() const;
-  // Further drawing goes to the region, with depth, until resolve. Pixel (x, y) of it is (x, y) + its corner.
-  void draw_into_region(const Rect& region);
+  // Further drawing goes to the region, with depth, until resolve. Returns where its pixels lie in the picture. With
+  // one sample a pixel the region is the picture itself.
+  Rect draw_into_region(const Rect& region);
   // Puts the region back: the mean of the samples in (nearly) linear light.
   void resolve();
   // The picture, read back.

@@ -103,10 +103,10 @@ Smoothing smooth_groups(const std::vector<float>& positions, const std::vector<s
 }
 
 bool is_closed(const std::vector<std::uint32_t>& triangles) {
-  // Each edge once in either direction: sorted without direction, entries come in pairs of opposite ones.
+  // Each edge of each triangle, with the sense in which it is passed; around a hole the senses do not cancel.
   struct Edge {
     std::uint32_t low, high;
-    int direction;
+    int sense;
   };
   std::vector<Edge> edges;
   edges.reserve(triangles.size());
@@ -118,10 +118,11 @@ bool is_closed(const std::vector<std::uint32_t>& triangles) {
   }
   std::sort(edges.begin(), edges.end(),
             [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-  for (std::size_t i = 0; i < edges.size(); i += 2) {
-    const bool paired = i + 1 < edges.size() && edges[i].low == edges[i + 1].low &&
-                        edges[i].high == edges[i + 1].high && edges[i].direction + edges[i + 1].direction == 0;
-    if (!paired) return false;
+  int balance = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    balance += edges[i].sense;
+    const bool last = i + 1 == edges.size() || edges[i].low != edges[i + 1].low || edges[i].high != edges[i + 1].high;
+    if (last && balance != 0) return false;
   }
   return true;
 }

@@ -18,7 +18,8 @@ struct Smoothing {
 // positions: 3 n; triangles: 3 m, each below n.
 Smoothing smooth_groups(const std::vector<float>& positions, const std::vector<std::uint32_t>& triangles, float crease);
 
-// Whether every edge has one triangle on either side, so that the surface has an inside that is not seen.
+// Whether the triangles leave no hole: along every edge as many pass one way as the other. Such a surface has an inside
+// that is not seen.
 bool is_closed(const std::vector<std::uint32_t>& triangles);
 
 // Unit normals, one per copy: sum of 2 area * normal over the triangles around it, normalised. Where that vanishes

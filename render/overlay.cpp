@@ -51,7 +51,7 @@ Overlay::Overlay(const GladGLContext& gl, int width, int height) : imgui_(nullpt
   page_.width = static_cast<float>(width);
   page_.height = static_cast<float>(height);
   // Legible on a small picture, in proportion on a large one.
-  page_.size = std::round(std::max(11.0F, 0.026F * std::min(page_.height, 0.75F * page_.width)));
+  page_.size = std::round(std::max(12.0F, 0.029F * std::min(page_.height, 0.75F * page_.width)));
   page_.margin = std::round(0.9F * page_.size);
   ImGuiContext* before = ImGui::GetCurrentContext();
   imgui_ = ImGui::CreateContext();
@@ -83,6 +83,7 @@ void Overlay::draw(const Frame& frame, const View& view) {
                                     [](const Surface& surface) { return !surface.values.empty(); });
   if (view.orthographic && frame.look.axes) draw_axes(page_, view, frame.look.length);
   if (view.orthographic && frame.look.scale_bar) draw_scale_bar(page_, view, frame.look.length);
+  draw_labels(frame.labels, view);
   const ImVec2 strips = draw_strips(page_, frame.strips);
   if (frame.scale && frame.look.legend && coloured) draw_legend(page_, *frame.scale, strips.y - 0.5F * page_.margin);
   draw_words(frame, view, strips.x);
@@ -90,9 +91,9 @@ void Overlay::draw(const Frame& frame, const View& view) {
   painter_->draw(*ImGui::GetDrawData());
 }
 
-void Overlay::draw_words(const Frame& frame, const View& view, float caption_end) const {
+void Overlay::draw_labels(const std::vector<Label>& labels, const View& view) const {
   const float pad = 0.4F * page_.size;
-  for (const Label& label : frame.labels) {
+  for (const Label& label : labels) {
     const Eigen::Vector3f at =
         view.to_window(to_vector(label.at), static_cast<int>(page_.width), static_cast<int>(page_.height));
     if (!view.orthographic && at.z() < view.near_distance) continue;
@@ -101,6 +102,10 @@ void Overlay::draw_words(const Frame& frame, const View& view, float caption_end
     page_.lay_plate({at.x() - size.x / 2 - pad, top - pad / 2}, {at.x() + size.x / 2 + pad, top + size.y + pad / 2});
     page_.write(at.x(), top, label.text, Align::centre);
   }
+}
+
+void Overlay::draw_words(const Frame& frame, const View& view, float caption_end) const {
+  const float pad = 0.4F * page_.size;
   Page heading = page_;
   heading.text = page_.bold;
   const bool axes = view.orthographic && frame.look.axes;

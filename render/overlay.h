@@ -3,8 +3,8 @@
 
 #include <imgui.h>
 
-#include <memory>
 #include <optional>
+#include <vector>
 
 #include "render/draw_data.h"
 #include "render/frame.h"
@@ -27,6 +27,7 @@ class Overlay {
 
  private:
   void load_fonts();
+  void draw_labels(const std::vector<Label>& labels, const View& view) const;
   void draw_words(const Frame& frame, const View& view, float caption_end) const;
 
   ImGuiContext* imgui_;

@@ -213,7 +213,7 @@ Image Renderer::draw(const Frame& frame) {
   p.canvas.draw_into_picture();
   p.backdrop.draw(frame, view, p.visibility.texture(), p.shades);
   if (!p.region.empty()) {
-    p.canvas.draw_into_region(p.region);
+    p.region = p.canvas.draw_into_region(p.region);
     p.draw_bodies(frame, view);
     p.canvas.resolve();
   }

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "sim/element/element.h"
+#include "sim/mesh/boundary.h"
 #include "sim/mesh/order.h"
 #include "sim/solve/linear_solver.h"
 #include "sim/solve/newton.h"
 #include "sim/stable_step.h"
-#include "sim/mesh/boundary.h"
 #include "sim/term/damping.h"
 #include "sim/term/gravity.h"
 #include "sim/term/obstacle.h"
@@ -20,7 +20,9 @@ namespace sim {
 
 namespace {
 
-std::string key_of(const char* list, std::size_t k) { return std::string(list) + "." + std::to_string(k); }
+std::string key_of(const char* list, std::size_t k) {
+  return std::string(list) + "." + std::to_string(k);
+}
 
 // Calls f; errors that name a key below `prefix` then name the whole path.
 template <class F>
@@ -96,7 +98,8 @@ void add_body(System::Parts& parts, std::size_t b) {
 }
 
 void place_nodes(System::Parts& parts) {
-  for (const Body& body : parts.bodies) parts.ranges.push_back(range_of(body, parts.ranges.empty() ? nullptr : &parts.ranges.back()));
+  for (const Body& body : parts.bodies)
+    parts.ranges.push_back(range_of(body, parts.ranges.empty() ? nullptr : &parts.ranges.back()));
   for (std::size_t b = 0; b < parts.bodies.size(); ++b) parts.ranges[b].mesh = &parts.bodies[b].mesh;
   parts.node_count = parts.ranges.empty() ? 0 : parts.ranges.back().first_node + parts.ranges.back().node_count;
   parts.X = Eigen::VectorXd::Zero(parts.dofs());
@@ -116,8 +119,8 @@ void add_loads(System::Parts& parts, std::size_t b) {
     const std::string key = key_of("body", b) + "." + key_of("traction", k);
     const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.tractions[k].where); });
     if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
-    parts.terms.push_back(std::make_unique<TractionLoad>(body, body.tractions[k], facets, parts.ranges[b].first_node,
-                                                         parts.X, parts.D));
+    parts.terms.push_back(
+        std::make_unique<TractionLoad>(body, body.tractions[k], facets, parts.ranges[b].first_node, parts.X, parts.D));
   }
   if (body.damping.alpha == 0 && body.damping.beta == 0) return;
   std::vector<const ElasticTerm*> own;
@@ -218,8 +221,7 @@ std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
   parts->time = scene.time;
   parts->solver = scene.solver;
   parts->scheme = find_scheme(scene.time.integrator);
-  if (!parts->scheme)
-    throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
+  if (!parts->scheme) throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
   definiteness(scene.solver.definiteness);
   parts->bodies = scene.bodies;
   // Nothing is divided by the mass of a static scene; its weight is that of the true integrals.

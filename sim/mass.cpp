@@ -9,7 +9,8 @@ namespace {
 
 // m_ij = sum_q w rho N_i N_j over one element.
 template <class Element, int D>
-Eigen::Matrix<double, Element::nodes, Element::nodes> element_mass(const Mesh& mesh, int e, double rho, double thickness) {
+Eigen::Matrix<double, Element::nodes, Element::nodes> element_mass(const Mesh& mesh, int e, double rho,
+                                                                   double thickness) {
   const auto X_e = gather<Element, D>(mesh.X, mesh.elements.col(e).data());
   Eigen::Matrix<double, Element::nodes, Element::nodes> m;
   m.setZero();

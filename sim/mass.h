@@ -10,7 +10,8 @@
 
 namespace sim {
 
-// Consistent element masses are added by rows into a node-by-node matrix (the same number for each of the D components).
+// Consistent element masses are added by rows into a node-by-node matrix (the same number for each of the D
+// components).
 class Mass {
  public:
   // density[e]: of each element of the mesh [kg/m^3]. Node numbers are shifted by first_node.

@@ -16,7 +16,7 @@
 namespace sim {
 
 struct ProbePlace {
-  int first_node;              // of its body
+  int first_node;  // of its body
   const Mesh* mesh;
   MaterialPoint point;
 };
@@ -25,27 +25,29 @@ struct System::Parts {
   int D = 3;
   int node_count = 0;
   int threads = 1;
-  Time time;                   // substeps settled
+  Time time;  // substeps settled
   Solver solver;
   const Scheme* scheme = nullptr;
   std::vector<Body> bodies;
   std::vector<BodyRange> ranges;
-  Eigen::VectorXd X;           // rest positions, D numbers per node
-  Eigen::VectorXd node_size;   // body size [m] at each node
-  std::vector<Mass> masses;    // one for each body
+  Eigen::VectorXd X;          // rest positions, D numbers per node
+  Eigen::VectorXd node_size;  // body size [m] at each node
+  std::vector<Mass> masses;   // one for each body
   std::vector<std::unique_ptr<Term>> terms;
-  std::vector<const ElasticTerm*> elastic;     // those of the terms that are
-  std::vector<int> elastic_body;               // and the body of each
-  std::optional<BlockPattern> pattern;         // only where a solver forms a matrix
+  std::vector<const ElasticTerm*> elastic;  // those of the terms that are
+  std::vector<int> elastic_body;            // and the body of each
+  std::optional<BlockPattern> pattern;      // only where a solver forms a matrix
   Pins pins;
   std::vector<ProbePlace> probes;
-  double energy_scale = 0;     // J: Young's modulus times volume, all bodies; round-off of U is relative to it
-  double bound = 0;            // m: a position beyond it has no meaning left, 1e12 sizes of the scene
+  double energy_scale = 0;  // J: Young's modulus times volume, all bodies; round-off of U is relative to it
+  double bound = 0;         // m: a position beyond it has no meaning left, 1e12 sizes of the scene
   std::vector<std::string> remarks;
 
   Eigen::Index dofs() const { return static_cast<Eigen::Index>(node_count) * D; }
   // Steps are counted in integers, so that frame k is at k/fps exactly.
-  double t(std::int64_t step) const { return static_cast<double>(step) / (static_cast<double>(time.fps) * time.substeps); }
+  double t(std::int64_t step) const {
+    return static_cast<double>(step) / (static_cast<double>(time.fps) * time.substeps);
+  }
   double h() const { return 1.0 / (static_cast<double>(time.fps) * time.substeps); }
 };
 

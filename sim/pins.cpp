@@ -9,7 +9,7 @@ namespace {
 
 // x(t) = c + R(theta) (X - c) + translate, and its derivative along the script.
 struct Pose {
-  Keyframe at;             // pose now
+  Keyframe at;  // pose now
   Vec3 translate_rate = {0, 0, 0};
   double degrees_rate = 0;
 
@@ -40,7 +40,10 @@ struct Pose {
 
 void Pins::add(const Pin& pin, const std::vector<int>& nodes, const Eigen::VectorXd& X, int D) {
   D_ = D;
-  Held held{nodes, Eigen::VectorXd(nodes.size() * D), {}, pin.motion,
+  Held held{nodes,
+            Eigen::VectorXd(nodes.size() * D),
+            {},
+            pin.motion,
             pin.release.value_or(std::numeric_limits<double>::infinity())};
   for (std::size_t i = 0; i < nodes.size(); ++i) held.rest.segment(i * D, D) = X.segment(nodes[i] * D, D);
   for (int c = 0; c < D; ++c)

@@ -25,10 +25,10 @@ class Pins {
  private:
   struct Held {
     std::vector<int> nodes;
-    Eigen::VectorXd rest;            // D numbers per node
-    std::vector<int> axes;           // components prescribed
+    Eigen::VectorXd rest;   // D numbers per node
+    std::vector<int> axes;  // components prescribed
     std::vector<Keyframe> motion;
-    double release;                  // s; infinity: never
+    double release;  // s; infinity: never
   };
   int D_ = 3;
   std::vector<Held> pins_;

@@ -7,17 +7,17 @@
 namespace sim {
 
 struct StepReport {
-  std::int64_t step = 0;             // the step that was taken: 1 is the first
-  int newton = 0;                    // Newton iterations, all stages
-  int linear = 0;                    // iterations of the linear solver (a direct solve counts 1)
+  std::int64_t step = 0;  // the step that was taken: 1 is the first
+  int newton = 0;         // Newton iterations, all stages
+  int linear = 0;         // iterations of the linear solver (a direct solve counts 1)
   int factorisations = 0;
   int force_evaluations = 0;
-  int backtracks = 0;                // halvings in the line search
-  bool converged = true;             // false: max_iterations reached; a fact, not an error
-  double residual = 0;               // last max |dx|/(g h) [body sizes per second]
-  double min_J = 1;                  // smallest det F over the quadrature points after the step
-  int min_J_element = -1;            // where, counted over all bodies
-  std::string failure;               // empty, or why the step could not be taken (the state is then unchanged)
+  int backtracks = 0;      // halvings in the line search
+  bool converged = true;   // false: max_iterations reached; a fact, not an error
+  double residual = 0;     // last max |dx|/(g h) [body sizes per second]
+  double min_J = 1;        // smallest det F over the quadrature points after the step
+  int min_J_element = -1;  // where, counted over all bodies
+  std::string failure;     // empty, or why the step could not be taken (the state is then unchanged)
   // Seconds by phase; for the eye only, nothing is decided by them.
   double seconds = 0, seconds_assemble = 0, seconds_solve = 0;
 };

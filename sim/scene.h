@@ -23,29 +23,29 @@ struct InputError : std::runtime_error {
 };
 
 struct Time {
-  double seconds = 2.0;                        // s, simulated
-  int fps = 60;                                // frames per simulated second; frame k is at k/fps exactly
-  int substeps = 1;                            // steps per frame, h = 1/(fps*substeps); 0 = auto (explicit schemes: what stability needs)
-  std::string integrator = "backward-euler";   // a row of sim/time/scheme.h
+  double seconds = 2.0;  // s, simulated
+  int fps = 60;          // frames per simulated second; frame k is at k/fps exactly
+  int substeps = 1;      // steps per frame, h = 1/(fps*substeps); 0 = auto (explicit schemes: what stability needs)
+  std::string integrator = "backward-euler";  // a row of sim/time/scheme.h
 };
 
 struct Solver {
-  std::string linear = "cholmod";              // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
-  double tolerance = 1e-4;                     // body sizes per second: Newton stops when max |dx|/(g h) is below it
-  int max_iterations = 50;                     // Newton iterations per stage
-  std::string definiteness = "clamp";          // "clamp" | "abs" | "none"
+  std::string linear = "cholmod";      // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
+  double tolerance = 1e-4;             // body sizes per second: Newton stops when max |dx|/(g h) is below it
+  int max_iterations = 50;             // Newton iterations per stage
+  std::string definiteness = "clamp";  // "clamp" | "abs" | "none"
 };
 
 struct World {
-  Vec3 gravity = {0, -9.81, 0};                // m/s^2
+  Vec3 gravity = {0, -9.81, 0};  // m/s^2
 };
 
 struct MaterialSpec {
-  std::string model = "stable-neo-hookean";    // a line of sim/material/list.h
-  double young = 1e6;                          // Pa, > 0
-  double poisson = 0.45;                       // (-1, 0.5)
-  double density = 1000;                       // kg/m^3, > 0
-  std::string group;                           // "" = the whole body, else the region of the mesh that has this material
+  std::string model = "stable-neo-hookean";  // a line of sim/material/list.h
+  double young = 1e6;                        // Pa, > 0
+  double poisson = 0.45;                     // (-1, 0.5)
+  double density = 1000;                     // kg/m^3, > 0
+  std::string group;                         // "" = the whole body, else the region of the mesh that has this material
 };
 
 // Where: nodes inside a box or a sphere at rest, or a group of the mesh.
@@ -63,46 +63,46 @@ using Region = std::variant<Box, Sphere, InGroup>;
 
 // A pose along a script: rotate about an axis through a centre, then translate. Linear in between.
 struct Keyframe {
-  double t = 0;                                // s
-  Vec3 translate = {0, 0, 0};                  // m
-  Vec3 axis = {0, 0, 1};                       // unit
-  Vec3 centre = {0, 0, 0};                     // m
+  double t = 0;                // s
+  Vec3 translate = {0, 0, 0};  // m
+  Vec3 axis = {0, 0, 1};       // unit
+  Vec3 centre = {0, 0, 0};     // m
   double degrees = 0;
 };
 
 struct Pin {
   Region where;
-  std::string axes = "xyz";                    // which components are prescribed
-  std::vector<Keyframe> motion;                // empty: it stays where it is
-  std::optional<double> release;               // s; from then on the nodes are free
+  std::string axes = "xyz";       // which components are prescribed
+  std::vector<Keyframe> motion;   // empty: it stays where it is
+  std::optional<double> release;  // s; from then on the nodes are free
 };
 
 struct Traction {
-  Region where;                                // boundary facets all of whose nodes are inside
-  Vec3 value = {0, 0, 0};                      // Pa, dead load per rest area
-  double ramp = 0;                             // s to rise from 0 to value (smoothly)
+  Region where;            // boundary facets all of whose nodes are inside
+  Vec3 value = {0, 0, 0};  // Pa, dead load per rest area
+  double ramp = 0;         // s to rise from 0 to value (smoothly)
 };
 
 struct Damping {
-  double alpha = 0;                            // 1/s, times M
-  double beta = 0;                             // s, times K
+  double alpha = 0;  // 1/s, times M
+  double beta = 0;   // s, times K
 };
 
 struct Spin {
-  Vec3 axis = {0, 0, 1};                       // through the centre of mass
-  double rate = 0;                             // rad/s
+  Vec3 axis = {0, 0, 1};  // through the centre of mass
+  double rate = 0;        // rad/s
 };
 
 struct Body {
   std::string name;
-  Mesh mesh;                                   // already placed (translate, rotate, scale applied)
-  double thickness = 1;                        // m; triangles and quads only
-  std::vector<MaterialSpec> materials;         // first: the whole body; later ones override a group
-  std::string mass = "lumped";                 // "lumped" | "consistent"
+  Mesh mesh;                            // already placed (translate, rotate, scale applied)
+  double thickness = 1;                 // m; triangles and quads only
+  std::vector<MaterialSpec> materials;  // first: the whole body; later ones override a group
+  std::string mass = "lumped";          // "lumped" | "consistent"
   Damping damping;
   std::vector<Pin> pins;
   std::vector<Traction> tractions;
-  Vec3 velocity = {0, 0, 0};                   // m/s, initial
+  Vec3 velocity = {0, 0, 0};  // m/s, initial
   Spin spin;
 };
 
@@ -111,24 +111,24 @@ struct Plane {
 };
 struct Obstacle {
   std::variant<Plane, Sphere> shape;
-  double friction = 0;                         // Coulomb coefficient
+  double friction = 0;  // Coulomb coefficient
 };
 
 // A spring from a material point to a place in space.
 struct Spring {
   std::string body;
-  Vec3 at = {0, 0, 0};                         // material point, m
-  Vec3 target = {0, 0, 0};                     // m
-  double stiffness = 0;                        // N/m
+  Vec3 at = {0, 0, 0};      // material point, m
+  Vec3 target = {0, 0, 0};  // m
+  double stiffness = 0;     // N/m
 };
 
 struct Probe {
   std::string name, body;
-  Vec3 at = {0, 0, 0};                         // material point, m
+  Vec3 at = {0, 0, 0};  // material point, m
 };
 
 struct Scene {
-  int dimension = 3;                           // 2 when every mesh is
+  int dimension = 3;  // 2 when every mesh is
   Time time;
   Solver solver;
   World world;

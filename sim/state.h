@@ -8,20 +8,20 @@ namespace sim {
 
 // Where the factor that the linear solver still holds was made: enough to make the same factor again after a resume.
 struct KeptFactor {
-  std::int64_t valid = 0;           // 0: none is held
-  std::int64_t excess = 0;          // iterations that its age has cost since it was made
-  std::int64_t definiteness = 0;    // a value of sim::Definiteness
-  double t_begin = 0, t = 0;        // s: start of that step, and of its stage
-  double dv_dx = 0, mass = 0;       // 1/(g h), 1/(g h)^2
-  Eigen::VectorXd x_begin, v_begin; // at the start of that step
-  Eigen::VectorXd x, v;             // where it was linearised
+  std::int64_t valid = 0;            // 0: none is held
+  std::int64_t excess = 0;           // iterations that its age has cost since it was made
+  std::int64_t definiteness = 0;     // a value of sim::Definiteness
+  double t_begin = 0, t = 0;         // s: start of that step, and of its stage
+  double dv_dx = 0, mass = 0;        // 1/(g h), 1/(g h)^2
+  Eigen::VectorXd x_begin, v_begin;  // at the start of that step
+  Eigen::VectorXd x, v;              // where it was linearised
 };
 
 struct State {
-  std::int64_t step = 0;            // completed steps; the time is System::time(step)
-  Eigen::VectorXd x, v;             // positions [m] and velocities [m/s], D numbers per node, node by node
+  std::int64_t step = 0;               // completed steps; the time is System::time(step)
+  Eigen::VectorXd x, v;                // positions [m] and velocities [m/s], D numbers per node, node by node
   Eigen::VectorXd x_before, v_before;  // of the step before; empty until there is one
-  Eigen::VectorXd force;            // N, that the last stage balanced; empty: to be evaluated
+  Eigen::VectorXd force;               // N, that the last stage balanced; empty: to be evaluated
   KeptFactor kept;
 };
 

@@ -13,14 +13,30 @@ System::System(const Scene& scene, int threads) : parts_(build(scene, threads)) 
 System::~System() = default;
 System::System(System&&) noexcept = default;
 
-int System::dimension() const { return parts_->D; }
-double System::step_seconds() const { return parts_->h(); }
-int System::steps_per_frame() const { return parts_->time.substeps; }
-double System::time(std::int64_t step) const { return parts_->t(step); }
-std::span<const BodyRange> System::bodies() const { return parts_->ranges; }
-std::vector<std::string> System::remarks() const { return parts_->remarks; }
-double System::stable_step() const { return sim::stable_step(*parts_); }
-std::vector<int> System::pinned_nodes(double t) const { return parts_->pins.nodes(t); }
+int System::dimension() const {
+  return parts_->D;
+}
+double System::step_seconds() const {
+  return parts_->h();
+}
+int System::steps_per_frame() const {
+  return parts_->time.substeps;
+}
+double System::time(std::int64_t step) const {
+  return parts_->t(step);
+}
+std::span<const BodyRange> System::bodies() const {
+  return parts_->ranges;
+}
+std::vector<std::string> System::remarks() const {
+  return parts_->remarks;
+}
+double System::stable_step() const {
+  return sim::stable_step(*parts_);
+}
+std::vector<int> System::pinned_nodes(double t) const {
+  return parts_->pins.nodes(t);
+}
 
 std::vector<TermInfo> System::terms() const {
   std::vector<TermInfo> all;
@@ -57,7 +73,8 @@ State System::initial_state() const {
       X.head(D) = state.x.segment(static_cast<Eigen::Index>(node) * D, D);
       return X;
     };
-    for (int i = 0; i < mass.nodal().size(); ++i) centre += mass.nodal()[i] / mass.total() * place(mass.first_node() + i);
+    for (int i = 0; i < mass.nodal().size(); ++i)
+      centre += mass.nodal()[i] / mass.total() * place(mass.first_node() + i);
     const Vec3 omega = body.spin.rate * body.spin.axis.normalized();
     for (int i = 0; i < mass.nodal().size(); ++i) {
       const int node = mass.first_node() + i;
@@ -97,7 +114,8 @@ Vec3 System::probe_position(const State& state, int probe) const {
   Vec3 x = Vec3::Zero();
   for (std::size_t a = 0; a < place.point.weights.size(); ++a) {
     const int node = place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element);
-    x.head(parts_->D) += place.point.weights[a] * state.x.segment(static_cast<Eigen::Index>(node) * parts_->D, parts_->D);
+    x.head(parts_->D) +=
+        place.point.weights[a] * state.x.segment(static_cast<Eigen::Index>(node) * parts_->D, parts_->D);
   }
   return x;
 }

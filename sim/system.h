@@ -16,14 +16,14 @@ struct BodyRange {
   std::string name;
   int first_node = 0, node_count = 0;
   int first_element = 0, element_count = 0;
-  double size = 0;                             // longest side of the rest bounding box, m
-  const Mesh* mesh = nullptr;                  // rest mesh, owned by the system; node and element numbers are the body's own
+  double size = 0;             // longest side of the rest bounding box, m
+  const Mesh* mesh = nullptr;  // rest mesh, owned by the system; node and element numbers are the body's own
 };
 
 // One line of `ritz explain`: a term of the energy that this scene has.
 struct TermInfo {
-  std::string name;                            // "elastic beam stable-neo-hookean tet4"
-  std::string what;                            // "1536 elements, 1536 points", "81 nodes"
+  std::string name;  // "elastic beam stable-neo-hookean tet4"
+  std::string what;  // "1536 elements, 1536 points", "81 nodes"
 };
 
 // Energies [J], momenta [kg m/s, kg m^2/s about the origin].
@@ -32,12 +32,17 @@ struct Measures {
   Vec3 p = {0, 0, 0}, L = {0, 0, 0};
 };
 
-enum class Quantity { stress, stretch, energy, J };  // von Mises Cauchy stress [Pa], largest principal stretch, Psi [J/m^3], det F
+enum class Quantity {
+  stress,
+  stretch,
+  energy,
+  J
+};  // von Mises Cauchy stress [Pa], largest principal stretch, Psi [J/m^3], det F
 
 struct Counts {
   int nodes = 0, elements = 0, dofs = 0, free_dofs = 0;
-  std::int64_t nonzeros = 0;                   // of the matrix; 0 when the scene forms none
-  std::int64_t bytes = 0;                      // estimate of the memory a run needs
+  std::int64_t nonzeros = 0;  // of the matrix; 0 when the scene forms none
+  std::int64_t bytes = 0;     // estimate of the memory a run needs
 };
 
 class System {
@@ -47,15 +52,15 @@ class System {
   ~System();
   System(System&&) noexcept;
 
-  int dimension() const;                       // numbers per node: 2 or 3
-  double step_seconds() const;                 // h
+  int dimension() const;        // numbers per node: 2 or 3
+  double step_seconds() const;  // h
   int steps_per_frame() const;
-  double time(std::int64_t step) const;        // step / (fps * substeps), exact at frames
+  double time(std::int64_t step) const;  // step / (fps * substeps), exact at frames
   std::span<const BodyRange> bodies() const;
   std::vector<TermInfo> terms() const;
-  std::vector<std::string> remarks() const;    // what a user should know: locking, steps chosen, re-oriented elements
+  std::vector<std::string> remarks() const;  // what a user should know: locking, steps chosen, re-oriented elements
   Counts counts() const;
-  double stable_step() const;                  // largest stable h of the explicit schemes at rest [s]
+  double stable_step() const;  // largest stable h of the explicit schemes at rest [s]
   State initial_state() const;
   Measures measure(const State& state) const;
   // Position of probe k, dimension numbers (the third is 0 in 2D), and its displacement from rest.
@@ -65,7 +70,7 @@ class System {
   Eigen::VectorXd node_values(const State& state, Quantity quantity) const;
   std::vector<int> pinned_nodes(double t) const;
 
-  struct Parts;                                // what terms, solvers and steppers share: sim/parts.h
+  struct Parts;  // what terms, solvers and steppers share: sim/parts.h
   const Parts& parts() const { return *parts_; }
 
  private:

@@ -1,5 +1,5 @@
-// Linear elasticity: Psi = mu eps:eps + lambda/2 tr(eps)^2, eps = sym(F) - I. Not rotation invariant: small motion only.
-// On a membrane F is given in the rest frame (two tangents, then the normal); the normal row costs nothing.
+// Linear elasticity: Psi = mu eps:eps + lambda/2 tr(eps)^2, eps = sym(F) - I. Not rotation invariant: small motion
+// only. On a membrane F is given in the rest frame (two tangents, then the normal); the normal row costs nothing.
 #pragma once
 
 #include <string_view>

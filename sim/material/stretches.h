@@ -19,17 +19,29 @@ struct Stretched {
 
 // J, its derivatives dJ/ds_i = J/s_i (products of the others) and the rest of J after s_i and s_j.
 template <class T>
-T product(const T (&s)[2]) { return s[0] * s[1]; }
+T product(const T (&s)[2]) {
+  return s[0] * s[1];
+}
 template <class T>
-T product(const T (&s)[3]) { return s[0] * s[1] * s[2]; }
+T product(const T (&s)[3]) {
+  return s[0] * s[1] * s[2];
+}
 template <class T>
-T product_without(const T (&s)[2], int i) { return s[1 - i]; }
+T product_without(const T (&s)[2], int i) {
+  return s[1 - i];
+}
 template <class T>
-T product_without(const T (&s)[3], int i) { return s[(i + 1) % 3] * s[(i + 2) % 3]; }
+T product_without(const T (&s)[3], int i) {
+  return s[(i + 1) % 3] * s[(i + 2) % 3];
+}
 template <class T>
-T product_without(const T (&)[2], int, int) { return T(1); }
+T product_without(const T (&)[2], int, int) {
+  return T(1);
+}
 template <class T>
-T product_without(const T (&s)[3], int i, int j) { return s[3 - i - j]; }
+T product_without(const T (&s)[3], int i, int j) {
+  return s[3 - i - j];
+}
 
 // 1/s where s is a divisor that no algebra removes (the energy itself has a kink at s = 0): kept away from zero.
 template <class T>

@@ -10,22 +10,38 @@ namespace sim {
 using Lanes = std::experimental::native_simd<double>;
 inline constexpr int lane_count = static_cast<int>(Lanes::size());
 
-inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
+inline double select(bool mask, double yes, double no) {
+  return mask ? yes : no;
+}
 inline Lanes select(const Lanes::mask_type& mask, const Lanes& yes, Lanes no) {
   where(mask, no) = yes;
   return no;
 }
 
-inline bool all(bool mask) { return mask; }
-inline bool all(const Lanes::mask_type& mask) { return all_of(mask); }
+inline bool all(bool mask) {
+  return mask;
+}
+inline bool all(const Lanes::mask_type& mask) {
+  return all_of(mask);
+}
 
-inline double square_root(double a) { return std::sqrt(a); }
-inline Lanes square_root(const Lanes& a) { return std::experimental::sqrt(a); }
+inline double square_root(double a) {
+  return std::sqrt(a);
+}
+inline Lanes square_root(const Lanes& a) {
+  return std::experimental::sqrt(a);
+}
 
-inline double absolute(double a) { return std::abs(a); }
-inline Lanes absolute(const Lanes& a) { return std::experimental::abs(a); }
+inline double absolute(double a) {
+  return std::abs(a);
+}
+inline Lanes absolute(const Lanes& a) {
+  return std::experimental::abs(a);
+}
 
-inline double natural_log(double a) { return std::log(a); }
+inline double natural_log(double a) {
+  return std::log(a);
+}
 inline Lanes natural_log(const Lanes& a) {
   return Lanes([&](auto k) { return std::log(static_cast<double>(a[k])); });
 }

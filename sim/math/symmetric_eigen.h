@@ -21,11 +21,22 @@ void rotate_rows(Mat<T, M, M>& A, int p, int q, const T& c, const T& s) {
   }
 }
 
+// Off-diagonal entries are below 1e-14 of the largest entry of the diagonal.
+template <class T, int M>
+bool is_diagonal(const Mat<T, M, M>& A) {
+  T largest = absolute(A(0, 0)), off = T(0);
+  for (int i = 0; i < M; ++i) {
+    largest = maximum(largest, absolute(A(i, i)));
+    for (int j = i + 1; j < M; ++j) off = maximum(off, absolute(A(i, j)));
+  }
+  return all(off <= T(1e-14) * largest);
+}
+
 template <class T, int M>
 SymmetricEigen<T, M> symmetric_eigen(Mat<T, M, M> A) {
   SymmetricEigen<T, M> r;
   r.vectors = Mat<T, M, M>::identity();
-  for (int sweep = 0; sweep < 6; ++sweep)
+  for (int sweep = 0; sweep < 6 && !is_diagonal(A); ++sweep)
     for (int p = 0; p < M - 1; ++p)
       for (int q = p + 1; q < M; ++q) {
         T c, s;

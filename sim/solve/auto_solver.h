@@ -13,7 +13,8 @@ class AutoSolver final : public LinearSolver {
 
   LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
                      KeptFactor& kept, Eigen::VectorXd& dx) override {
-    // About as long as a factor, shared by the steps that it serves, and its solves take (beam of 8,000 to 24,000 dofs).
+    // About as long as a factor, shared by the steps that it serves, and its solves take (beam of 8,000 to 24,000
+    // dofs).
     constexpr int too_many = 200;
     if (kept.valid) return direct_.solve(A, where, r, tolerance, kept, dx);
     const LinearResult tried = iterative_.solve_within(too_many, A, r, tolerance, dx);

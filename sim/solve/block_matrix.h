@@ -10,7 +10,7 @@ namespace sim {
 
 // Which nodes are coupled; rows sorted, the diagonal always present.
 struct BlockPattern {
-  std::vector<int> start;   // row i holds column[start[i]] ... column[start[i+1]-1]
+  std::vector<int> start;  // row i holds column[start[i]] ... column[start[i+1]-1]
   std::vector<int> column;
 
   int rows() const { return static_cast<int>(start.size()) - 1; }

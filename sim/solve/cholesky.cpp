@@ -47,7 +47,8 @@ bool Cholesky::analyse(const BlockMatrix& A, const Eigen::VectorXd& free) {
         const int other = number[A.pattern().column[k] * D + r];
         if (other < number[i]) continue;
         row.push_back(other);
-        source_.push_back((static_cast<std::size_t>(k) * D + c) * D + r);  // A is symmetric: (i, other) stands for (other, i)
+        source_.push_back((static_cast<std::size_t>(k) * D + c) * D +
+                          r);  // A is symmetric: (i, other) stands for (other, i)
       }
     start.push_back(static_cast<int>(row.size()));
   }

@@ -48,7 +48,8 @@ LinearResult DirectSolver::solve(const TangentOperator& A, const Linearisation& 
   LinearResult result;
   A.assemble(matrix_);
   if (kept.valid && epoch_ == A.epoch() && kept.excess < cholesky_.solves_per_factor()) {
-    const PcgResult cg = pcg([&](const auto& p, auto& Ap) {
+    const PcgResult cg = pcg(
+        [&](const auto& p, auto& Ap) {
           matrix_.multiply(p, Ap, A.threads());
           Ap.array() *= A.free().array();
         },
@@ -69,7 +70,9 @@ LinearResult DirectSolver::solve(const TangentOperator& A, const Linearisation& 
   return result;
 }
 
-bool DirectSolver::lost(const KeptFactor& kept) const { return kept.valid && !same_factor(kept, held_); }
+bool DirectSolver::lost(const KeptFactor& kept) const {
+  return kept.valid && !same_factor(kept, held_);
+}
 
 void DirectSolver::restore(const TangentOperator& A, const KeptFactor& kept) {
   A.assemble(matrix_);

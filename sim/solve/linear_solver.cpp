@@ -12,7 +12,9 @@ std::string settled_solver(const std::string& linear, Eigen::Index dofs) {
   throw InputError("solver.linear", "\"" + linear + "\" is not a solver: cholmod, pcg, pcg-assembled or auto");
 }
 
-bool forms_matrix(const std::string& settled) { return settled != "pcg"; }
+bool forms_matrix(const std::string& settled) {
+  return settled != "pcg";
+}
 
 std::unique_ptr<LinearSolver> make_linear_solver(const System::Parts& parts) {
   if (parts.solver.linear == "auto") return std::make_unique<AutoSolver>(parts);

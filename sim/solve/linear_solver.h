@@ -9,7 +9,7 @@
 namespace sim {
 
 struct LinearResult {
-  int iterations = 0;             // a direct solve counts 1
+  int iterations = 0;  // a direct solve counts 1
   int factorisations = 0;
   bool positive_definite = true;  // false: A is not, dx is not to be used
   bool solved = true;             // false: the tolerance was not reached
@@ -26,8 +26,8 @@ struct Linearisation {
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  // A dx = r to |r - A dx| <= tolerance |r|; A was linearised anew, `where`. dx and r are zero on prescribed components.
-  // `kept` tells of the factor that is held from before, and is told of a new one.
+  // A dx = r to |r - A dx| <= tolerance |r|; A was linearised anew, `where`. dx and r are zero on prescribed
+  // components. `kept` tells of the factor that is held from before, and is told of a new one.
   virtual LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r,
                              double tolerance, KeptFactor& kept, Eigen::VectorXd& dx) = 0;
   // True when the factor that `kept` tells of is not the one held (a state was loaded): the caller linearises A where

@@ -8,11 +8,11 @@ namespace sim {
 
 namespace {
 
-constexpr double linear_tolerance = 1e-2;      // |residual of the linear solve| / |right-hand side|
-constexpr double armijo = 1e-4;                // share of the predicted decrease that a step must give
+constexpr double linear_tolerance = 1e-2;  // |residual of the linear solve| / |right-hand side|
+constexpr double armijo = 1e-4;            // share of the predicted decrease that a step must give
 constexpr int most_halvings = 40;
-constexpr double step_share = 0.9;             // of the largest step that a term allows
-constexpr double energy_noise = 1e-14;         // round-off of the stage's potential, relative to its parts
+constexpr double step_share = 0.9;      // of the largest step that a term allows
+constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
 
 }  // namespace
 
@@ -44,7 +44,8 @@ void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept) {
   if (linear_->lost(kept)) {
     parts_.pins.mark(kept.t, tangent_.free());
     tangent_.begin_step({kept.x_begin, kept.v_begin, kept.t_begin, 0});
-    tangent_.linearise({kept.x, kept.v, kept.t, kept.dv_dx}, kept.mass, static_cast<Definiteness>(kept.definiteness), f_);
+    tangent_.linearise({kept.x, kept.v, kept.t, kept.dv_dx}, kept.mass, static_cast<Definiteness>(kept.definiteness),
+                       f_);
     linear_->restore(tangent_, kept);
     parts_.pins.mark(t_end, tangent_.free());
   }
@@ -147,8 +148,8 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
     }
     report.residual = 0;
     for (Eigen::Index node = 0; node < parts_.node_count; ++node)
-      report.residual = std::max(report.residual, dx_.segment(node * parts_.D, parts_.D).norm() * per_second /
-                                                      parts_.node_size[node]);
+      report.residual = std::max(report.residual,
+                                 dx_.segment(node * parts_.D, parts_.D).norm() * per_second / parts_.node_size[node]);
     if (stage.one_iteration || (a == 1 && report.residual <= parts_.solver.tolerance)) return true;
     if (a == 0) break;
   }

@@ -8,11 +8,11 @@ namespace sim {
 
 // One stage, in the variables of sim/time/scheme.h. Vectors have D numbers per node.
 struct StageProblem {
-  const Eigen::VectorXd& x_star;    // m
-  const Eigen::VectorXd& v_start;   // sum c_k v_k [m/s]; M v* = M v_start + impulse
-  const Eigen::VectorXd& impulse;   // h sum d_k f_k [kg m/s]
-  double gh = 0;                    // s; 0 for a static problem: no mass, x is the unknown
-  double t = 0;                     // s, at the end of the stage
+  const Eigen::VectorXd& x_star;   // m
+  const Eigen::VectorXd& v_start;  // sum c_k v_k [m/s]; M v* = M v_start + impulse
+  const Eigen::VectorXd& impulse;  // h sum d_k f_k [kg m/s]
+  double gh = 0;                   // s; 0 for a static problem: no mass, x is the unknown
+  double t = 0;                    // s, at the end of the stage
   bool one_iteration = false;
 };
 

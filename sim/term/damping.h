@@ -1,5 +1,5 @@
-// Rayleigh damping of one body: f = -(alpha M + beta K) v, K frozen and clamped where the step began. [mathematics.md 6]
-// With v = (x - x*)/(g h) inside a stage it is the gradient of the potential g h/2 v^T (alpha M + beta K) v.
+// Rayleigh damping of one body: f = -(alpha M + beta K) v, K frozen and clamped where the step began. [mathematics.md
+// 6] With v = (x - x*)/(g h) inside a stage it is the gradient of the potential g h/2 v^T (alpha M + beta K) v.
 #pragma once
 
 #include <vector>

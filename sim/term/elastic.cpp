@@ -9,9 +9,8 @@ namespace {
 
 std::string material_names() {
   std::string names;
-  for_each_type(Materials{}, [&]<class M>(std::type_identity<M>) {
-    names += (names.empty() ? "" : ", ") + std::string(M::name);
-  });
+  for_each_type(Materials{},
+                [&]<class M>(std::type_identity<M>) { names += (names.empty() ? "" : ", ") + std::string(M::name); });
   return names;
 }
 
@@ -30,7 +29,8 @@ std::unique_ptr<ElasticTerm> make_elastic(const ElasticInput& input, int D) {
     }
   });
   if (!term)
-    throw InputError("material.model", "\"" + input.material.model + "\" is not a material: one of " + material_names());
+    throw InputError("material.model",
+                     "\"" + input.material.model + "\" is not a material: one of " + material_names());
   return term;
 }
 

@@ -18,7 +18,8 @@ class ElasticTerm : public Term {
     int element;
   };
   virtual SmallestJ smallest_J(const Eigen::VectorXd& x, Store& store) const = 0;
-  // For the node values of a quantity: at each node of an element sums += w value, weights += w (numbers of the system).
+  // For the node values of a quantity: at each node of an element sums += w value, weights += w (numbers of the
+  // system).
   virtual void add_node_values(const Eigen::VectorXd& x, Quantity quantity, Eigen::VectorXd& sums,
                                Eigen::VectorXd& weights) const = 0;
   // Rest volume [m^3].

@@ -11,7 +11,9 @@
 namespace sim {
 
 template <class Material>
-concept NeedsRestFrame = requires { Material::in_rest_frame; };
+concept NeedsRestFrame = requires {
+  Material::in_rest_frame;
+};
 
 // What does not depend on the material: K p, K, its diagonal, J, from the tangents in the store.
 template <class Element, int D>
@@ -176,9 +178,7 @@ class Elastic final : public ElasticBlock<Element, D> {
     if constexpr (framed) return transpose_times(frame(batch, q), F);
     return F;
   }
-  const Mat<Lanes, D, D>& frame(int batch, int q) const {
-    return elements_.frame[batch * Q + q];
-  }
+  const Mat<Lanes, D, D>& frame(int batch, int q) const { return elements_.frame[batch * Q + q]; }
 
  public:
   Elastic(const ElasticInput& input, const Lame& lame) : material_(lame, M), poisson_(input.material.poisson) {

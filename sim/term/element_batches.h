@@ -20,19 +20,21 @@ template <class Element, int D>
 struct ElementBatches {
   static constexpr int N = Element::nodes, M = Element::dimension, Q = static_cast<int>(Element::rule.size());
 
-  std::vector<int> element;    // per batch and lane: number in the body's mesh; the last batch repeats its last one
-  int count = 0;               // elements (the lanes beyond hold weight 0 and are not scattered)
-  std::vector<int> node;       // [batch][N][lane], node numbers of the system
-  std::vector<Lanes> gradient; // [batch][Q][N-1][M]: G of nodes 1...N-1 [1/m]; node 0 has minus their sum
-  std::vector<Lanes> weight;   // [batch][Q]: w = quadrature weight x rest measure x thickness [m^3]
+  std::vector<int> element;     // per batch and lane: number in the body's mesh; the last batch repeats its last one
+  int count = 0;                // elements (the lanes beyond hold weight 0 and are not scattered)
+  std::vector<int> node;        // [batch][N][lane], node numbers of the system
+  std::vector<Lanes> gradient;  // [batch][Q][N-1][M]: G of nodes 1...N-1 [1/m]; node 0 has minus their sum
+  std::vector<Lanes> weight;    // [batch][Q]: w = quadrature weight x rest measure x thickness [m^3]
   std::vector<Mat<Lanes, D, D>> frame;  // [batch][Q]: rest tangents, then the normal, in columns; only where asked for
-  std::vector<int> slot;       // [batch][lane][N][N]: blocks of the matrix; empty where there is none
+  std::vector<int> slot;                // [batch][lane][N][N]: blocks of the matrix; empty where there is none
   std::unique_ptr<Chunks> chunks;
 
   int batch_count() const { return static_cast<int>(weight.size()) / Q; }
   int lanes_in(int batch) const { return std::min(lane_count, count - batch * lane_count); }
   const int* nodes(int batch) const { return node.data() + static_cast<std::size_t>(batch) * N * lane_count; }
-  const Lanes* G(int batch, int q) const { return gradient.data() + (static_cast<std::size_t>(batch) * Q + q) * (N - 1) * M; }
+  const Lanes* G(int batch, int q) const {
+    return gradient.data() + (static_cast<std::size_t>(batch) * Q + q) * (N - 1) * M;
+  }
   const Lanes& w(int batch, int q) const { return weight[static_cast<std::size_t>(batch) * Q + q]; }
 
   // Positions of nodes 1...N-1 relative to node 0, so that a body far from the origin loses no digits.
@@ -40,7 +42,8 @@ struct ElementBatches {
     const int* n = nodes(batch);
     for (int c = 0; c < D; ++c) {
       const Lanes origin([&](int k) { return x[n[k] * D + c]; });
-      for (int a = 1; a < N; ++a) relative[a - 1][c] = Lanes([&](int k) { return x[n[a * lane_count + k] * D + c]; }) - origin;
+      for (int a = 1; a < N; ++a)
+        relative[a - 1][c] = Lanes([&](int k) { return x[n[a * lane_count + k] * D + c]; }) - origin;
     }
   }
 

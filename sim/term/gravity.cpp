@@ -17,8 +17,12 @@ TermInfo Gravity::info() const {
   return {"gravity", what.str()};
 }
 
-double Gravity::energy(const Motion& motion, Store&) const { return -weight_.dot(motion.x - X_); }
+double Gravity::energy(const Motion& motion, Store&) const {
+  return -weight_.dot(motion.x - X_);
+}
 
-void Gravity::add_forces(const Motion&, Store&, Eigen::VectorXd& f) const { f += weight_; }
+void Gravity::add_forces(const Motion&, Store&, Eigen::VectorXd& f) const {
+  f += weight_;
+}
 
 }  // namespace sim

@@ -46,7 +46,8 @@ void SpringTerm::add_matrix(const Store&, double s, BlockMatrix& A) const {
 
 void SpringTerm::add_diagonal(const Store&, double s, Eigen::VectorXd& d) const {
   for (std::size_t a = 0; a < nodes_.size(); ++a)
-    d.segment(static_cast<Eigen::Index>(nodes_[a]) * D_, D_).array() += s * spring_.stiffness * weights_[a] * weights_[a];
+    d.segment(static_cast<Eigen::Index>(nodes_[a]) * D_, D_).array() +=
+        s * spring_.stiffness * weights_[a] * weights_[a];
 }
 
 void SpringTerm::bind(const BlockPattern& pattern) {

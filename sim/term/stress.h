@@ -1,8 +1,8 @@
 // Values at a point for the eye: von Mises stress, largest stretch, energy density, J.
 #pragma once
 
-#include "sim/math/volume.h"
 #include "sim/material/tangent.h"
+#include "sim/math/volume.h"
 #include "sim/system.h"
 
 namespace sim {
@@ -26,10 +26,14 @@ T von_mises(const Mat<T, D, D>& sigma, double poisson) {
 template <class Material, class T, int D, int M>
 T value_at(Quantity quantity, const Material& material, const Mat<T, D, M>& F, double poisson) {
   switch (quantity) {
-    case Quantity::J: return volume_ratio(F);
-    case Quantity::energy: return material.psi(F);
-    case Quantity::stretch: return absolute(svd(F).s[0]);
-    case Quantity::stress: break;
+    case Quantity::J:
+      return volume_ratio(F);
+    case Quantity::energy:
+      return material.psi(F);
+    case Quantity::stretch:
+      return absolute(svd(F).s[0]);
+    case Quantity::stress:
+      break;
   }
   const T J = maximum(absolute(volume_ratio(F)), T(1e-12));
   return von_mises((T(1) / J) * times_transpose(material.P(F), F), poisson);

@@ -20,7 +20,8 @@ TractionLoad::TractionLoad(const Body& body, const Traction& traction, const Eig
         const double dA = q.weight * thickness * measure_ratio(jacobian<Facet>(X_f, q.xi));
         area_ += dA;
         for (int a = 0; a < Facet::nodes; ++a)
-          load_.segment(static_cast<Eigen::Index>(first_node + facets(a, k)) * D, D) += N[a] * dA * traction.value.head(D);
+          load_.segment(static_cast<Eigen::Index>(first_node + facets(a, k)) * D, D) +=
+              N[a] * dA * traction.value.head(D);
       }
     }
   });
@@ -28,8 +29,8 @@ TractionLoad::TractionLoad(const Body& body, const Traction& traction, const Eig
 
 TermInfo TractionLoad::info() const {
   std::ostringstream what;
-  what << "(" << traction_.value.x() << ", " << traction_.value.y() << ", " << traction_.value.z() << ") Pa on " << area_
-       << " m^2";
+  what << "(" << traction_.value.x() << ", " << traction_.value.y() << ", " << traction_.value.z() << ") Pa on "
+       << area_ << " m^2";
   return {"traction " + body_, what.str()};
 }
 
@@ -43,6 +44,8 @@ double TractionLoad::energy(const Motion& motion, Store&) const {
   return -share(motion.t) * load_.dot(motion.x - X_);
 }
 
-void TractionLoad::add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const { f += share(motion.t) * load_; }
+void TractionLoad::add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const {
+  f += share(motion.t) * load_;
+}
 
 }  // namespace sim

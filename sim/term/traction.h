@@ -21,8 +21,8 @@ class TractionLoad final : public Term {
 
   std::string body_;
   Traction traction_;
-  double area_ = 0;        // m^2
-  Eigen::VectorXd load_;   // N at full load, D numbers per node of the system
+  double area_ = 0;       // m^2
+  Eigen::VectorXd load_;  // N at full load, D numbers per node of the system
   const Eigen::VectorXd& X_;
 };
 

@@ -12,8 +12,8 @@ ImplicitStepper::ImplicitStepper(const System::Parts& parts, int threads) : part
     v->resize(parts.dofs());
 }
 
-// Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight, whichever
-// has the lower potential; where the terms allow neither, x_n.
+// Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight,
+// whichever has the lower potential; where the terms allow neither, x_n.
 void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme) {
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
   const auto place = [&] {
@@ -23,7 +23,8 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme) {
   };
   if (scheme.is_static || scheme.one_iteration) {
     x_ = next_.x;
-    v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size())) : Eigen::VectorXd((x_ - x_star_) / problem.gh);
+    v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size()))
+                         : Eigen::VectorXd((x_ - x_star_) / problem.gh);
     parts_.pins.prescribe(problem.t, x_, v_);
     return;
   }
@@ -63,8 +64,8 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
       impulse_ += (h * stage.d[k]) * *f[k];
     }
   }
-  const StageProblem problem{x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, begin.t + stage.end * h,
-                             scheme.one_iteration};
+  const StageProblem problem{
+      x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, begin.t + stage.end * h, scheme.one_iteration};
   guess(problem, scheme);
   if (!newton_.solve(problem, begin, x_, v_, next_.kept, report)) return false;
   if (problem.gh != 0) {

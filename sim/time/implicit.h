@@ -18,10 +18,10 @@ class ImplicitStepper final : public Stepper {
 
   const System::Parts& parts_;
   Newton newton_;
-  State next_;                                   // the step under way; the caller's state is untouched until it is done
+  State next_;  // the step under way; the caller's state is untouched until it is done
   Eigen::VectorXd x_star_, v_start_, impulse_;
   Eigen::VectorXd x_first_, v_first_, force_first_;  // first stage of two
-  Eigen::VectorXd x_, v_, force_;                // the stage under way
+  Eigen::VectorXd x_, v_, force_;                    // the stage under way
 };
 
 }  // namespace sim

@@ -24,8 +24,8 @@ int MassSolve::solve(const Eigen::VectorXd& f, const Eigen::VectorXd& free, Eige
         for (const Mass& mass : parts_.masses) mass.add_product(1, p, Mp, parts_.D);
         Mp.array() *= free.array();
       },
-      [&](const Eigen::VectorXd& r, Eigen::VectorXd& z) { z = inverse_diagonal_.cwiseProduct(r); }, rhs_, round_off, 200,
-      scratch_, a);
+      [&](const Eigen::VectorXd& r, Eigen::VectorXd& z) { z = inverse_diagonal_.cwiseProduct(r); }, rhs_, round_off,
+      200, scratch_, a);
   return cg.iterations;
 }
 

@@ -5,8 +5,8 @@ namespace sim {
 namespace {
 
 constexpr double sqrt2 = 1.41421356237309504880;
-constexpr double gamma_sdirk = 1 - 1 / sqrt2;        // [Alexander 1977]
-constexpr double gamma_tr = 2 - sqrt2;               // tr-bdf2: where the trapezoidal part ends [Bank et al. 1985]
+constexpr double gamma_sdirk = 1 - 1 / sqrt2;  // [Alexander 1977]
+constexpr double gamma_tr = 2 - sqrt2;         // tr-bdf2: where the trapezoidal part ends [Bank et al. 1985]
 constexpr double w_tr = 1 / (gamma_tr * (2 - gamma_tr));
 
 //                                              c: now before first      d: now before first      g            end
@@ -34,7 +34,9 @@ constexpr Scheme table[] = {
 
 }  // namespace
 
-std::span<const Scheme> schemes() { return table; }
+std::span<const Scheme> schemes() {
+  return table;
+}
 
 const Scheme* find_scheme(std::string_view name) {
   for (const Scheme& scheme : table)

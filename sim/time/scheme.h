@@ -22,11 +22,11 @@ struct Stage {
 struct Scheme {
   std::string_view name;
   int order;
-  std::span<const Stage> stages;      // empty: explicit
-  std::string_view first_step = {};   // a two-step scheme: the scheme that makes its first step
-  bool extrapolate = false;           // x_{n+1} = 2 x_s - x_n
-  bool one_iteration = false;         // exactly one Newton step
-  bool is_static = false;             // minimise U alone
+  std::span<const Stage> stages;     // empty: explicit
+  std::string_view first_step = {};  // a two-step scheme: the scheme that makes its first step
+  bool extrapolate = false;          // x_{n+1} = 2 x_s - x_n
+  bool one_iteration = false;        // exactly one Newton step
+  bool is_static = false;            // minimise U alone
 };
 
 // nullptr when there is no scheme of that name.

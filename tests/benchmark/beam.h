@@ -11,10 +11,17 @@ inline sim::Scene beam(int n, const std::string& model) {
   return scene;
 }
 
-// Bent and squashed by a few per cent, so that nothing is at rest.
+// As it hangs after half a second, about: bent into an arc of radius 4 m (strains to 12 per cent), with a disturbance
+// of 0.2 per cent of a cell, so that no two elements are alike.
 inline Eigen::VectorXd bent(const Eigen::VectorXd& X) {
+  constexpr double radius = 4;
   Eigen::VectorXd x = X;
-  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += 0.02 * std::sin(2.0 * static_cast<double>(i % 977));
+  for (Eigen::Index i = 0; i < x.size(); i += 3) {
+    const double angle = X[i] / radius, arm = radius + X[i + 2] - 0.5;
+    x[i] = arm * std::sin(angle);
+    x[i + 2] = arm * std::cos(angle) - radius;
+    for (int c = 0; c < 3; ++c) x[i + c] += 2.5e-4 * std::sin(2.0 * static_cast<double>((i + c) % 977));
+  }
   return x;
 }
 

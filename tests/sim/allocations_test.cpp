@@ -10,9 +10,13 @@
 #if defined(__SANITIZE_ADDRESS__)
 
 namespace sim::test {
-bool can_count_allocations() { return false; }
+bool can_count_allocations() {
+  return false;
+}
 void start_counting() {}
-long stop_counting() { return 0; }
+long stop_counting() {
+  return 0;
+}
 }  // namespace sim::test
 
 #else
@@ -39,7 +43,9 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 }
 
 namespace sim::test {
-bool can_count_allocations() { return true; }
+bool can_count_allocations() {
+  return true;
+}
 void start_counting() {
   SuiteSparse_config.malloc_func = __libc_malloc;
   SuiteSparse_config.calloc_func = __libc_calloc;
@@ -72,7 +78,8 @@ TEST(Allocations, ACountIsSeen) {
 // After the first step a step allocates nothing, whatever scheme and solver.
 TEST(Allocations, NoneInAStepAfterTheFirst) {
   if (!test::can_count_allocations()) GTEST_SKIP();
-  for (const char* integrator : {"symplectic-euler", "central-difference", "backward-euler", "sdirk2", "tr-bdf2", "bdf2"})
+  for (const char* integrator :
+       {"symplectic-euler", "central-difference", "backward-euler", "sdirk2", "tr-bdf2", "bdf2"})
     for (const char* linear : {"cholmod", "pcg", "pcg-assembled"}) {
       Scene scene = test::beam("tet4", 2);
       scene.time.integrator = integrator;

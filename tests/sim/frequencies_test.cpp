@@ -27,7 +27,8 @@ Eigen::VectorXd frequencies(const Scene& scene, int count) {
   using Product = Spectra::SparseSymMatProd<double>;
   Shift shift(K_free, M_free);
   Product product(M_free);
-  Spectra::SymGEigsShiftSolver<Shift, Product, Spectra::GEigsMode::ShiftInvert> solver(shift, product, count, 4 * count, 0.0);
+  Spectra::SymGEigsShiftSolver<Shift, Product, Spectra::GEigsMode::ShiftInvert> solver(shift, product, count, 4 * count,
+                                                                                       0.0);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn);
   Eigen::VectorXd omega2 = solver.eigenvalues();

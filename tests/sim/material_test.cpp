@@ -146,7 +146,8 @@ TYPED_TEST(MaterialTest, ClampAndAbsActOnTheEigenvaluesOfTheTangent) {
     material.linearise(F, P, t);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> exact(dense<TypeParam>(t));
     const auto rebuilt = [&](auto f) {
-      return (exact.eigenvectors() * exact.eigenvalues().unaryExpr(f).asDiagonal() * exact.eigenvectors().transpose()).eval();
+      return (exact.eigenvectors() * exact.eigenvalues().unaryExpr(f).asDiagonal() * exact.eigenvectors().transpose())
+          .eval();
     };
     negative += exact.eigenvalues().minCoeff() < 0;
     auto clamped = t, absolute = t;

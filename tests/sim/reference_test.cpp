@@ -57,9 +57,10 @@ double static_deflection(const char* element, std::array<int, 3> cells, double p
 
 TEST(Locking, QuadraticTetsBendWhereLinearOnesDoNot) {
   const double converged = static_deflection("tet10", {16, 5, 5}, 0.499);
-  const double tet10 = static_deflection("tet10", {8, 3, 3}, 0.499), tet4 = static_deflection("tet4", {16, 4, 4}, 0.499);
-  std::printf("static deflection at nu = 0.499: converged %.4f m, tet10 %.4f m (%.2f %%), tet4 %.4f m (%.1f %%)\n", converged,
-              tet10, 100 * (tet10 / converged - 1), tet4, 100 * (tet4 / converged - 1));
+  const double tet10 = static_deflection("tet10", {8, 3, 3}, 0.499),
+               tet4 = static_deflection("tet4", {16, 4, 4}, 0.499);
+  std::printf("static deflection at nu = 0.499: converged %.4f m, tet10 %.4f m (%.2f %%), tet4 %.4f m (%.1f %%)\n",
+              converged, tet10, 100 * (tet10 / converged - 1), tet4, 100 * (tet4 / converged - 1));
   EXPECT_NEAR(tet10 / converged, 1, 0.02);
   EXPECT_LT(tet4 / converged, 0.9) << "linear tets no longer lock: take the warning back";
   Scene scene = test::beam("tet4", 1, 1e6, 0.499);

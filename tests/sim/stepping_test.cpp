@@ -8,7 +8,7 @@ namespace {
 
 using test::Stepped;
 
-const char* const implicit_schemes[] = {"backward-euler", "bdf2",    "trapezoidal", "implicit-midpoint",
+const char* const implicit_schemes[] = {"backward-euler", "bdf2",    "trapezoidal",      "implicit-midpoint",
                                         "sdirk2",         "tr-bdf2", "linearly-implicit"};
 
 // A body that falls keeps its shape, and falls as the scheme falls: exactly for those of order 2.
@@ -28,8 +28,7 @@ TEST(FreeFall, IsExact) {
     const double e = scheme.order == 2 ? 0 : 1;
     const Vec3 moved = scene.bodies[0].velocity * t + scene.world.gravity * t * (t + e * h) / 2;
     const Eigen::VectorXd& X = run.system.parts().X;
-    for (Eigen::Index i = 0; i < X.size(); ++i)
-      EXPECT_NEAR(run.state.x[i] - X[i], moved[i % 3], 1e-9) << scheme.name;
+    for (Eigen::Index i = 0; i < X.size(); ++i) EXPECT_NEAR(run.state.x[i] - X[i], moved[i % 3], 1e-9) << scheme.name;
   }
 }
 

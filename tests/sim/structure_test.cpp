@@ -135,8 +135,7 @@ TEST_P(Structure, PatchTest) {
   int inside = 0;
   for (int i = 0; i < mesh.node_count(); ++i) {
     bool interior = true;
-    for (int c = 0; c < M; ++c)
-      interior = interior && mesh.X(c, i) > low[c] + 1e-9 && mesh.X(c, i) < high[c] - 1e-9;
+    for (int c = 0; c < M; ++c) interior = interior && mesh.X(c, i) > low[c] + 1e-9 && mesh.X(c, i) < high[c] - 1e-9;
     if (!interior) continue;
     ++inside;
     EXPECT_LT(f.segment(static_cast<Eigen::Index>(i) * D, D).norm(), 1e-12 * f.norm());
@@ -145,7 +144,8 @@ TEST_P(Structure, PatchTest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryElementAndMaterial, Structure, ::testing::ValuesIn(pairs()), [](const auto& info) {
-  std::string name = std::string(info.param.kind.element) + (info.param.kind.membrane ? "_membrane_" : "_") + info.param.model;
+  std::string name =
+      std::string(info.param.kind.element) + (info.param.kind.membrane ? "_membrane_" : "_") + info.param.model;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });

@@ -64,8 +64,8 @@ TEST(Svd, TakesRankDeficientAndExtremeMatrices) {
   expect_factors(Mat<double, 3, 2>::zero(), 1);
   expect_factors(Mat<double, 3, 3>::identity(), 1);
   expect_factors(-1.0 * Mat<double, 3, 3>::identity(), 1);
-  expect_factors(Mat<double, 3, 3>{{{1, 2, 3}, {2, 4, 6}, {3, 6, 9}}}, 14);            // a line
-  expect_factors(Mat<double, 3, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, 1);             // a plane
+  expect_factors(Mat<double, 3, 3>{{{1, 2, 3}, {2, 4, 6}, {3, 6, 9}}}, 14);  // a line
+  expect_factors(Mat<double, 3, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, 1);   // a plane
   expect_factors(Mat<double, 3, 3>{{{1e9, 0, 0}, {0, 1, 0}, {0, 0, 1e-9}}}, 1e9);
   expect_factors(Mat<double, 3, 2>{{{1, 1}, {1, 1}, {1, 1}}}, 2);
 }

@@ -144,7 +144,8 @@ TEST(Friction, HoldsABlockOrLetsItSlideAsCoulombSays) {
     run.steps(120);
     const double early = velocity();
     run.steps(120);
-    const double rate = (velocity() - early) / 0.5, expected = std::max(0.0, g * (std::sin(slope) - mu * std::cos(slope)));
+    const double rate = (velocity() - early) / 0.5,
+                 expected = std::max(0.0, g * (std::sin(slope) - mu * std::cos(slope)));
     EXPECT_NEAR(rate, expected, 0.05 * g * std::sin(slope)) << "mu = " << mu;
     EXPECT_GT(run.state.x.size(), 0);
     for (Eigen::Index i = 2; i < run.state.x.size(); i += 3) EXPECT_GT(run.state.x[i], 0) << "through the plane";
