@@ -155,7 +155,7 @@ GlObject make_target(const GladGLContext& gl, GLenum attachment, const GlObject&
 
 Visibility::Visibility(const GladGLContext& gl, int width, int height)
     : gl_(gl),
-      scale_(std::max(1, (height + 180) / 360)),
+      scale_(std::max(1, (height + 135) / 270)),
       width_((width + scale_ - 1) / scale_),
       height_((height + scale_ - 1) / scale_) {
   depth_ = make_texture(gl, {GL_DEPTH_COMPONENT32F, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, GL_NEAREST});
