@@ -37,14 +37,26 @@ void print_references(const Simulation& simulation, const Outcome& outcome) {
   }
 }
 
+// What did not go smoothly, though the run went on.
+void print_trouble(const Outcome& outcome) {
+  const Totals& totals = outcome.run.totals;
+  const std::int64_t steps = outcome.run.state.step;
+  if (totals.not_converged > 0) {
+    std::cerr << "note: " << totals.not_converged << " of " << steps << " steps did not converge";
+    if (!outcome.not_converged_reason.empty()) std::cerr << " (" << outcome.not_converged_reason << ')';
+    std::cerr << '\n';
+  }
+  if (totals.splits > 0)
+    std::cerr << "note: steps, or parts of them, were taken again in halves " << totals.splits << " times\n";
+  if (outcome.inverted > 0) std::cerr << "note: " << outcome.inverted << " elements are inside out at the end\n";
+  if (outcome.no_factor)
+    std::cerr << "note: there was no memory for the matrix's factor: solved by conjugate gradients without a matrix\n";
+}
+
 }  // namespace
 
 int conclude(const Simulation& simulation, const Options& options, const RunFolder& folder, const Outcome& outcome) {
-  const std::int64_t not_converged = outcome.run.totals.not_converged;
-  if (not_converged > 0 && !options.quiet) {
-    std::cerr << "note: " << not_converged << " of " << outcome.run.state.step
-              << " steps did not converge (solver.max_iterations reached)\n";
-  }
+  if (!options.quiet) print_trouble(outcome);
   if (outcome.status == Status::done) {
     print_references(simulation, outcome);
     return kDone;

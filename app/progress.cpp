@@ -80,7 +80,7 @@ std::string Progress::text(std::int64_t step, Clock::time_point now) const {
   char line[160];
   std::snprintf(line, sizeof line, "step %lld/%lld, t = %.2f s, %.2f times real time, ", static_cast<long long>(step),
                 static_cast<long long>(plan_.last_step), static_cast<double>(step) * plan_.step_seconds, factor);
-  return line + clock_text(left) + " left";
+  return line + clock_text(left) + " left" + note_;
 }
 
 }  // namespace app

@@ -25,6 +25,8 @@ class Progress {
   Progress(std::ostream& out, ProgressStyle style, const ProgressPlan& plan, Clock::time_point start);
   // Prints when enough time has passed since the last print.
   void update(std::int64_t step, Clock::time_point now);
+  // What follows in every later print.
+  void note(std::string text) { note_ = std::move(text); }
   // The last word: total time and real-time factor.
   void finish(std::int64_t step, Clock::time_point now);
 
@@ -35,6 +37,7 @@ class Progress {
   ProgressStyle style_;
   ProgressPlan plan_;
   Clock::time_point start_, printed_;
+  std::string note_;
 };
 
 // "[######..................] "

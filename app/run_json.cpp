@@ -106,7 +106,10 @@ void put_work(Json& json, const Simulation& simulation, const Outcome& outcome) 
   const Totals& totals = outcome.run.totals;
   json.member("steps", step).member("t", system.time(step));
   json.member("newton_iterations", totals.newton).member("linear_iterations", totals.linear);
-  json.member("steps_not_converged", totals.not_converged).member("min_J", totals.min_J);
+  json.member("steps_not_converged", totals.not_converged);
+  if (!outcome.not_converged_reason.empty()) json.member("not_converged_reason", outcome.not_converged_reason);
+  json.member("steps_halved", totals.splits).member("min_J", totals.min_J);
+  json.member("inverted_elements", outcome.inverted).member("no_memory_for_factor", outcome.no_factor);
 }
 
 // Of this process: a run that was resumed does not know the seconds before.

@@ -76,7 +76,20 @@ class Runner {
     totals.newton += report.newton;
     totals.linear += report.linear;
     totals.not_converged += report.converged ? 0 : 1;
+    totals.splits += report.splits;
     totals.min_J = std::min(totals.min_J, report.min_J);
+    outcome_.inverted = report.inverted;
+    if (!report.converged && outcome_.not_converged_reason.empty()) outcome_.not_converged_reason = report.reason;
+    if (report.no_factor) outcome_.no_factor = true;
+    progress_.note(trouble(totals));
+  }
+
+  // ", 3 not converged, 12 halved"; empty while all goes well.
+  static std::string trouble(const Totals& totals) {
+    std::string text;
+    if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " not converged";
+    if (totals.splits > 0) text += ", " + std::to_string(totals.splits) + " halved";
+    return text;
   }
 
   void frame_reached(int newton) {

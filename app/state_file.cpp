@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr std::string_view kMagic = "RITZSTAT";
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 constexpr std::size_t kChecksumBytes = 8;
 
 template <typename Unsigned>
@@ -116,7 +116,8 @@ std::string encode(const SavedRun& run) {
   std::string bytes(kMagic);
   put(bytes, kFormat);
   put(bytes, run.scene);
-  for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged}) put(bytes, count);
+  for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged, run.totals.splits})
+    put(bytes, count);
   put(bytes, run.totals.min_J);
   for_each_field(state, [&](const auto& field) { put_field(bytes, field); });
   put(bytes, checksum(bytes));
@@ -132,7 +133,7 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
   }
   SavedRun run;
   run.scene = reader.number<std::uint64_t>();
-  for (std::int64_t* count : {&run.totals.newton, &run.totals.linear, &run.totals.not_converged}) {
+  for (std::int64_t* count : {&run.totals.newton, &run.totals.linear, &run.totals.not_converged, &run.totals.splits}) {
     *count = reader.integer();
   }
   run.totals.min_J = reader.real();

@@ -16,6 +16,7 @@
 #include "sim/term/obstacle.h"
 #include "sim/term/spring.h"
 #include "sim/term/traction.h"
+#include "sim/term/untangle.h"
 #include "sim/time/implicit.h"
 
 namespace sim {
@@ -157,6 +158,9 @@ void add_loads(System::Parts& parts, std::size_t b) {
     parts.terms.push_back(
         std::make_unique<TractionLoad>(body, body.tractions[k], facets, parts.ranges[b].first_node, parts.X, parts.D));
   }
+  if (body.untangle > 0)
+    parts.terms.push_back(
+        std::make_unique<UntangleTerm>(body, parts.ranges[b].first_node, parts.X, parts.pins, parts.D));
   if (body.damping.alpha == 0 && body.damping.beta == 0) return;
   std::vector<const ElasticTerm*> own;
   for (std::size_t e = 0; e < parts.elastic.size(); ++e)

@@ -1,35 +1,18 @@
 #include "sim/recovery.h"
 
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <vector>
 
+#include "sim/math/rigid_fit.h"
+#include "sim/mesh/components.h"
+#include "sim/mesh/tangle.h"
 #include "sim/parts.h"
 #include "sim/stepper.h"
 
 namespace sim {
 
 namespace {
-
-// The number of the lowest node that is connected with each node of the mesh.
-std::vector<int> connected_parts(const Mesh& mesh) {
-  std::vector<int> root(mesh.node_count());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (const auto& nodes : mesh.elements.colwise())
-    for (const int node : nodes) {
-      const int a = find(node), b = find(nodes[0]);
-      root[std::max(a, b)] = std::min(a, b);
-    }
-  for (int i = 0; i < mesh.node_count(); ++i) root[i] = find(i);
-  return root;
-}
 
 Eigen::Matrix3Xd positions(const Eigen::VectorXd& x, const BodyRange& range, int D) {
   Eigen::Matrix3Xd p = Eigen::Matrix3Xd::Zero(3, range.node_count);
@@ -39,24 +22,12 @@ Eigen::Matrix3Xd positions(const Eigen::VectorXd& x, const BodyRange& range, int
   return p;
 }
 
-// Largest |q_i - (R p_i + t)| with R, t that minimise sum m_i |q_i - (R p_i + t)|^2 over the given nodes.
+// Largest |q_i - (R p_i + t)| with the R, t that fit best.
 double misfit(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& q, const Eigen::VectorXd& m,
               const std::vector<int>& nodes, int D) {
-  double mass = 0;
-  Vec3 p_mean = Vec3::Zero(), q_mean = Vec3::Zero();
-  for (const int i : nodes) mass += m[i];
-  for (const int i : nodes) {
-    p_mean += m[i] / mass * p.col(i);
-    q_mean += m[i] / mass * q.col(i);
-  }
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-  for (const int i : nodes) H += m[i] / mass * (q.col(i) - q_mean) * (p.col(i) - p_mean).transpose();
-  if (D == 2) H(2, 2) = 2 * H.norm() + 1;  // turns about z only
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  const Eigen::Matrix3d R = svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  const RigidFit fit = fit_rigid(p, q, m, nodes, D);
   double largest = 0;
-  for (const int i : nodes) largest = std::max(largest, (q.col(i) - q_mean - R * (p.col(i) - p_mean)).norm());
+  for (const int i : nodes) largest = std::max(largest, (q.col(i) - fit.place(p.col(i))).norm());
   return largest;
 }
 
@@ -68,13 +39,19 @@ double shape_distance(const System& system, const Eigen::VectorXd& x, const Eige
   for (std::size_t b = 0; b < parts.ranges.size(); ++b) {
     const BodyRange& range = parts.ranges[b];
     const Eigen::Matrix3Xd p = positions(x_other, range, parts.D), q = positions(x, range, parts.D);
-    const std::vector<int> root = connected_parts(*range.mesh);
-    std::vector<std::vector<int>> nodes(root.size());
-    for (std::size_t i = 0; i < root.size(); ++i) nodes[root[i]].push_back(static_cast<int>(i));
-    for (const std::vector<int>& part : nodes)
-      if (!part.empty()) largest = std::max(largest, misfit(p, q, parts.masses[b].nodal(), part, parts.D) / range.size);
+    for (const Component& part : components(*range.mesh))
+      largest = std::max(largest, misfit(p, q, parts.masses[b].nodal(), part.nodes, parts.D) / range.size);
   }
   return largest;
+}
+
+int wound_places(const System& system, const Eigen::VectorXd& x) {
+  const System::Parts& parts = system.parts();
+  int wound = 0;
+  for (const BodyRange& range : parts.ranges)
+    for (const Component& part : components(*range.mesh))
+      wound += Tangle(*range.mesh, part, range.first_node, parts.D).count(x).wound;
+  return wound;
 }
 
 namespace {
@@ -124,7 +101,6 @@ void add(const StepReport& report, Recovery& r) {
   r.inverted = report.inverted;
   ++r.steps;
   r.splits += report.splits;
-  r.untangled += report.untangled;
   r.newton += report.newton;
   r.linear += report.linear;
   if (report.converged) return;
@@ -149,6 +125,7 @@ Recovery recover(const System& system, std::int64_t steps, bool loaded, const st
     rest.look(state);
   }
   r.distance = shape_distance(system, state.x, system.parts().X);
+  r.wound = wound_places(system, state.x);
   if (!r.failure.empty())
     r.verdict = Verdict::stopped;
   else if (!rest.settled())

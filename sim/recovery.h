@@ -13,6 +13,10 @@ namespace sim {
 // [Kabsch 1976; a mirror image is another shape]
 double shape_distance(const System& system, const Eigen::VectorXd& x, const Eigen::VectorXd& x_other);
 
+// Interior edges (in the plane: nodes) around which the elements are not wound exactly once. With none of them and no
+// inverted element the body is nowhere folded through itself. 0 for membranes.
+int wound_places(const System& system, const Eigen::VectorXd& x);
+
 enum class Verdict {
   recovered,          // at rest, no further than 1e-4 of the size from the rest shape
   at_rest_loaded,     // at rest under the scene's loads
@@ -28,9 +32,10 @@ struct Recovery {
   double distance = 0;     // from the rest shape at the end [body sizes]
   double min_J = 0;        // smallest after any step
   int inverted = 0;        // elements at the end
+  int wound = 0;           // wound_places at the end
   std::int64_t steps = 0;  // taken; fewer than asked for where it came to rest before
   int not_converged = 0;   // steps
-  std::int64_t splits = 0, untangled = 0, newton = 0, linear = 0;
+  std::int64_t splits = 0, newton = 0, linear = 0;
 };
 
 // Takes `steps` steps, or fewer when the shape does not change any more. `loaded`: the scene has loads, so that the

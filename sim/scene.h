@@ -37,7 +37,6 @@ struct Solver {
   int max_iterations = 50;             // Newton iterations per stage
   std::string definiteness = "clamp";  // "clamp" | "abs" | "none"
   std::string on_failure = "split";    // "split" | "accept" | "stop": a step whose equations are not solved
-  bool untangle = false;               // stuck inverted elements are re-shaped: sim/time/untangle.h
 };
 
 struct World {
@@ -117,6 +116,7 @@ struct Body {
   Vec3 velocity = {0, 0, 0};  // m/s, initial
   Spin spin;
   Start start;
+  double untangle = 0;  // strength of the pull that undoes inversions and folds: sim/term/untangle.h; 0: none
 };
 
 struct Plane {

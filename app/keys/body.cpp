@@ -77,6 +77,13 @@ std::vector<Key> body_keys() {
        .unit = "rad/s",
        .meaning = "Right-handed about the axis.",
        .binding = field<spin_of, &sim::Spin::rate>},
+      {.path = "body[].untangle",
+       .kind = Kind::number,
+       .range = at_least(0),
+       .meaning =
+           "Strength of a pull towards the rest shape that acts only while the body is folded through itself or has "
+           "elements inside out: 1 undoes nearly every tangle, 0.1 is gentler, 0 leaves them.",
+       .binding = field<body_of, &sim::Body::untangle>},
       {.path = "body[].start", .kind = Kind::table, .meaning = "Where the nodes start that do not start at rest."},
       {.path = "body[].start.shape",
        .kind = Kind::choice,

@@ -38,9 +38,9 @@ std::string field(const std::string& content) {
 
 std::string table_header() {
   char line[240];
-  std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s %9s %9s %5s %6s %7s %6s %7s %7s", "extreme", "body",
-                "material", "integrator", "verdict", "distance", "min J", "inv.", "steps", "unconv.", "halved",
-                "its/step", "seconds");
+  std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s %9s %9s %5s %5s %5s %7s %6s %8s %7s", "extreme",
+                "body", "material", "integrator", "verdict", "distance", "min J", "inv.", "wound", "steps", "unconv.",
+                "halved", "its/step", "seconds");
   return line;
 }
 
@@ -52,8 +52,8 @@ std::string table_row(const Case& c, const CaseResult& result) {
   std::string row(line, static_cast<std::size_t>(length));
   if (!result.refused.empty()) return row;
   const sim::Recovery& r = result.recovery;
-  std::snprintf(line, sizeof line, " %9.1e %9.2g %5d %6lld %7d %6lld %8.2f %7.2f", r.distance, r.min_J, r.inverted,
-                static_cast<long long>(r.steps), r.not_converged, static_cast<long long>(r.splits),
+  std::snprintf(line, sizeof line, " %9.1e %9.2g %5d %5d %5lld %7d %6lld %8.2f %7.2f", r.distance, r.min_J, r.inverted,
+                r.wound, static_cast<long long>(r.steps), r.not_converged, static_cast<long long>(r.splits),
                 static_cast<double>(r.newton) / static_cast<double>(std::max<std::int64_t>(r.steps, 1)),
                 result.seconds);
   return row + line;
@@ -76,7 +76,7 @@ std::string table_summary(const std::vector<Case>& cases, const std::vector<Case
 
 std::string stress_csv(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
   std::string csv =
-      "extreme,body,material,integrator,verdict,distance,min_J,inverted,steps,not_converged,halved,newton,linear,"
+      "extreme,body,material,integrator,verdict,distance,min_J,inverted,wound,steps,not_converged,halved,newton,linear,"
       "seconds,reason\n";
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const Case& c = cases[k];
@@ -85,8 +85,8 @@ std::string stress_csv(const std::vector<Case>& cases, const std::vector<CaseRes
     csv += field(c.extreme->group + "/" + c.extreme->name) + "," + field(c.subject->element) + "," +
            field(c.subject->material) + "," + c.subject->scheme + "," + field(verdict_of(result));
     for (const double number : {r.distance, r.min_J}) append_number(csv += ',', number);
-    for (const std::int64_t number :
-         {std::int64_t{r.inverted}, r.steps, std::int64_t{r.not_converged}, r.splits, r.newton, r.linear})
+    for (const std::int64_t number : {std::int64_t{r.inverted}, std::int64_t{r.wound}, r.steps,
+                                      std::int64_t{r.not_converged}, r.splits, r.newton, r.linear})
       append_number(csv += ',', number);
     append_number(csv += ',', result.seconds);
     csv += "," + field(!result.refused.empty() ? result.refused : !r.failure.empty() ? r.failure : r.reason) + '\n';

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 
+#include "sim/solve/iterative_solver.h"
 #include "sim/solve/stopwatch.h"
 
 namespace sim {
@@ -16,8 +18,8 @@ constexpr double step_share = 0.9;      // of the largest step that a term allow
 constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
 
 // Which tangent the next iteration takes. A tangent made definite leads to a minimum from anywhere, but slowly where
-// stresses are high: it lacks their negative stiffness. There the exact one is tried, and given up for ever longer where
-// it is not definite or its steps are cut. [Longva et al. 2023: project on demand]
+// stresses are high: it lacks their negative stiffness. There the exact one is tried, and given up for ever longer
+// where it is not definite or its steps are cut. [Longva et al. 2023: project on demand]
 class Exactness {
  public:
   explicit Exactness(Definiteness fix) : fix_(fix) {}
@@ -65,7 +67,7 @@ Newton::Newton(const System::Parts& parts, int threads)
       difference_(parts.dofs()),
       product_(parts.dofs()) {}
 
-void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept) {
+void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept, StepReport& report) {
   if (parts_.pins.released(t_end) != tangent_.epoch()) {
     parts_.pins.mark(t_end, tangent_.free());
     tangent_.set_epoch(parts_.pins.released(t_end));
@@ -75,10 +77,22 @@ void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept) {
     tangent_.begin_step({kept.x_begin, kept.v_begin, kept.t_begin, 0});
     tangent_.linearise({kept.x, kept.v, kept.t, kept.dv_dx}, kept.mass, static_cast<Definiteness>(kept.definiteness),
                        f_);
-    linear_->restore(tangent_, kept);
+    try {
+      linear_->restore(tangent_, kept);
+    } catch (const std::bad_alloc&) {
+      give_up_factor(kept, report);
+    }
     parts_.pins.mark(t_end, tangent_.free());
   }
   tangent_.begin_step(start);
+}
+
+// There is no memory for a factor: conjugate gradients from now on, without a matrix.
+void Newton::give_up_factor(KeptFactor& kept, StepReport& report) {
+  linear_.reset();  // and what it holds
+  linear_ = std::make_unique<IterativeSolver>(parts_, /*with_matrix=*/false);
+  kept = {};
+  report.no_factor = true;
 }
 
 void Newton::inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result) {
@@ -127,7 +141,14 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, const Mo
     if (!std::isfinite(residual_.squaredNorm())) return false;
 
     Stopwatch solve_watch(report.seconds_solve);
-    const LinearResult linear = linear_->solve(tangent_, {motion, begin, mass, fix}, residual_, tolerance, kept, dx_);
+    LinearResult linear;
+    const Linearisation where{motion, begin, mass, fix};
+    try {
+      linear = linear_->solve(tangent_, where, residual_, tolerance, kept, dx_);
+    } catch (const std::bad_alloc&) {
+      give_up_factor(kept, report);
+      linear = linear_->solve(tangent_, where, residual_, tolerance, kept, dx_);
+    }
     report.linear += linear.iterations;
     report.factorisations += linear.factorisations;
     if (linear.positive_definite) return dx_.allFinite();

@@ -21,7 +21,7 @@ class Newton {
   Newton(const System::Parts& parts, int threads);
 
   // Terms freeze what they keep for a step; the free components are those of time t_end of the step.
-  void begin_step(const Motion& start, double t_end, KeptFactor& kept);
+  void begin_step(const Motion& start, double t_end, KeptFactor& kept, StepReport& report);
   // x and v: the start of the iteration on entry, with prescribed components in place; the stage's solution on return.
   // False, with report.failure, when the start is not allowed or a value is not finite.
   bool solve(const StageProblem& stage, const Motion& begin, Eigen::VectorXd& x, Eigen::VectorXd& v, KeptFactor& kept,
@@ -36,6 +36,7 @@ class Newton {
                  double tolerance, KeptFactor& kept, StepReport& report);
   double line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
                      StepReport& report);
+  void give_up_factor(KeptFactor& kept, StepReport& report);
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);

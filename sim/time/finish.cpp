@@ -4,7 +4,7 @@
 
 namespace sim {
 
-bool finish_step(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report) {
+void measure_J(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report) {
   report.min_J = std::numeric_limits<double>::infinity();
   std::size_t k = 0;
   for (std::size_t e = 0; e < parts.elastic.size(); ++e) {
@@ -16,6 +16,10 @@ bool finish_step(const System::Parts& parts, TangentOperator& tangent, const Sta
       report.min_J_element = parts.ranges[parts.elastic_body[e]].first_element + least.element;
     }
   }
+}
+
+bool finish_step(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report) {
+  measure_J(parts, tangent, state, report);
   if (!state.x.allFinite() || !state.v.allFinite())
     report.failure = "positions or velocities are not finite";
   else if (state.x.cwiseAbs().maxCoeff() > parts.bound)

@@ -6,7 +6,10 @@
 
 namespace sim {
 
-// Measures the smallest J; false, with report.failure, when a number of the state is not finite.
+// Smallest J and where it is, inverted elements.
+void measure_J(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report);
+
+// The same; false, with report.failure, when a number of the state is not finite.
 bool finish_step(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report);
 
 }  // namespace sim

@@ -125,7 +125,7 @@ bool ImplicitStepper::attempt(const Interval& interval, const State& begin_state
   const bool released = parts_.pins.released(t_end) != parts_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
   if (released) next_.kept.valid = 0;
-  newton_.begin_step(begin, t_end, next_.kept);
+  newton_.begin_step(begin, t_end, next_.kept, report);
   if (next_.force.size() == 0 || released) {
     next_.force.resize(parts_.dofs());
     newton_.tangent().forces(begin, next_.force);
@@ -166,7 +166,10 @@ StepReport ImplicitStepper::step(State& state) {
   report.step = state.step + 1;
   Stopwatch watch(report.seconds);
   next_ = state;
-  if (!advance({parts_.t(state.step), parts_.t(state.step + 1), parts_.h(), 0}, report)) return report;
+  if (!advance({parts_.t(state.step), parts_.t(state.step + 1), parts_.h(), 0}, report)) {
+    measure_J(parts_, newton_.tangent(), state, report);
+    return report;
+  }
   next_.x_before = state.x;
   next_.v_before = state.v;
   ++next_.step;

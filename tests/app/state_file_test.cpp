@@ -12,7 +12,7 @@ namespace {
 SavedRun example() {
   SavedRun run;
   run.scene = 0xfedcba9876543210;
-  run.totals = {31, 4000000000000, 2, -0.25};
+  run.totals = {31, 4000000000000, 2, 5, -0.25};
   run.state.step = 12;
   run.state.x = Eigen::VectorXd::LinSpaced(6, -1.0, 1.0 / 3.0);
   run.state.v = Eigen::VectorXd::Constant(6, std::numeric_limits<double>::denorm_min());
@@ -30,7 +30,7 @@ std::string with_count(std::string bytes, std::size_t place, std::uint64_t count
   return bytes;
 }
 
-constexpr std::size_t kLengths = 8 + 4 + 8 + 3 * 8 + 8 + 8;  // where the length of x stands
+constexpr std::size_t kLengths = 8 + 4 + 8 + 4 * 8 + 8 + 8;  // where the length of x stands
 
 TEST(StateFile, GivesBackEveryBit) {
   const SavedRun run = example();
@@ -39,6 +39,7 @@ TEST(StateFile, GivesBackEveryBit) {
   EXPECT_EQ(again.totals.newton, 31);
   EXPECT_EQ(again.totals.linear, 4000000000000);
   EXPECT_EQ(again.totals.not_converged, 2);
+  EXPECT_EQ(again.totals.splits, 5);
   EXPECT_EQ(again.totals.min_J, -0.25);
   EXPECT_EQ(again.state.step, 12);
   EXPECT_EQ(again.state.x, run.state.x);
@@ -55,7 +56,7 @@ TEST(StateFile, OneStepSchemesHaveNoStepBefore) {
 TEST(StateFile, BytesAreLittleEndianAndInTheDocumentedOrder) {
   const std::string bytes = encode(example());
   EXPECT_EQ(bytes.substr(0, 8), "RITZSTAT");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\1\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\2\0\0\0", 4));
   EXPECT_EQ(bytes.substr(12, 8), "\x10\x32\x54\x76\x98\xba\xdc\xfe");
   EXPECT_EQ(bytes[kLengths], 6);
   EXPECT_EQ(bytes.size(), kLengths + 9 * (8 + 6 * 8) + 3 * 8 + 4 * 8 + 8);
@@ -91,8 +92,8 @@ TEST(StateFile, AbsurdLengthsAreRefusedBeforeAnythingIsAllocated) {
 
 TEST(StateFile, OtherVersionsAndOtherFilesAreNamedAsSuch) {
   std::string newer = encode(example());
-  newer[8] = 2;
-  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 2, this program reads 1"),
+  newer[8] = 3;
+  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 3, this program reads 2"),
             std::string::npos);
   EXPECT_NE(error_of([] { decode("\x89PNG and something else", "state.bin"); }).find("not a state file"),
             std::string::npos);

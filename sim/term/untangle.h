@@ -1,0 +1,55 @@
+// A way out of states that elasticity alone does not leave: a body folded through itself, or with elements that are
+// stuck inside out. While a connected part of it is tangled (sim/mesh/tangle.h) when a step begins, each node i is
+// drawn to its place g_i in the rest shape, moved rigidly to where the part is:
+//   U = sum_i k_i/2 |x_i - g_i|^2,  g_i = R (X_i - X_mean) + x_mean + (t - t_n) v_mean,  k_i = s sum_e E_e
+//   V_e/l_e^2/n_e
+// l_e the size of an element, n_e its nodes, s the strength; R, x_mean, v_mean fit best when the step begins. [after
+// shape matching, Mueller et al. 2005] A part that is not tangled feels nothing. Pinned nodes lead the fit.
+#pragma once
+
+#include <vector>
+
+#include "sim/mesh/tangle.h"
+#include "sim/pins.h"
+#include "sim/term/term.h"
+
+namespace sim {
+
+class UntangleTerm final : public Term {
+ public:
+  // X: rest positions of the system; the body and the pins must outlive the term.
+  UntangleTerm(const Body& body, int first_node, const Eigen::VectorXd& X, const Pins& pins, int D);
+
+  TermInfo info() const override;
+  std::unique_ptr<Store> make_store(int threads) const override;
+  void begin_step(const Motion& start, Store& store) const override;
+  double energy(const Motion& motion, Store& store) const override;
+  void add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const override;
+  void add_product(const Store& store, double s, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override;
+  void add_matrix(const Store& store, double s, BlockMatrix& A) const override;
+  void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
+  void bind(const BlockPattern& pattern) override;
+
+ private:
+  struct Goals;
+  struct Part {
+    std::vector<int> nodes;  // of the body
+    Tangle tangle;
+  };
+  void aim(const Part& part, const Motion& start, Goals& goals) const;
+  Eigen::Matrix3Xd positions(const Eigen::VectorXd& x) const;
+  // Calls f(node of the body, its first component in the system) for the nodes that are drawn.
+  template <class F>
+  void for_each_drawn(const Goals& goals, const F& f) const;
+
+  std::string body_;
+  double strength_;
+  int first_node_, D_;
+  Eigen::Matrix3Xd X_;
+  Eigen::VectorXd k_;  // N/m
+  const Pins& pins_;
+  std::vector<Part> parts_;
+  std::vector<int> slot_;
+};
+
+}  // namespace sim

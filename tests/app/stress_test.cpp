@@ -1,0 +1,122 @@
+// The matrix of `ritz stress`, its table and its files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/scene_file.h"
+#include "app/stress/table.h"
+#include "tests/app/temporary_folder.h"
+
+namespace app {
+namespace {
+
+std::set<std::string> names(const std::vector<Case>& cases) {
+  std::set<std::string> all;
+  for (const Case& c : cases) all.insert(c.name());
+  return all;
+}
+
+TEST(Stress, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
+  const auto subjects = built_in_subjects(false);
+  const auto rows = extremes();
+  const auto cases = make_cases(subjects, rows, false, "");
+  const auto all = names(cases);
+  EXPECT_EQ(all.size(), cases.size());  // no name twice
+  for (const char* start : {"scrambled", "plane", "plane 1e-6", "line", "point", "mirrored", "inverted", "twisted",
+                            "stretched", "squashed", "far"})
+    for (const char* material : {"stable-neo-hookean", "fixed-corotated", "corotated"})
+      for (const char* scheme : {"backward-euler", "sdirk2", "tr-bdf2"})
+        EXPECT_TRUE(all.contains(std::string("start/") + start + " tet4 " + material + " " + scheme)) << start;
+  for (const char* element : {"tri3", "tri6", "quad4", "tri3 sheet", "tri6 sheet", "tet10", "hex8"})
+    EXPECT_TRUE(all.contains(std::string("start/twisted ") + element + " stable-neo-hookean backward-euler"))
+        << element;
+  EXPECT_FALSE(all.contains("start/mirrored tri3 sheet stable-neo-hookean backward-euler"));
+}
+
+TEST(Stress, OnlyAndQuickThinItOut) {
+  const auto subjects = built_in_subjects(true);
+  const auto rows = extremes();
+  const auto quick = make_cases(subjects, rows, true, "");
+  EXPECT_LT(quick.size(), 100u);
+  const auto only = make_cases(subjects, rows, true, "twisted*sdirk2");
+  ASSERT_EQ(only.size(), 1u);
+  EXPECT_EQ(only[0].name(), "start/twisted tet4 stable-neo-hookean sdirk2");
+  EXPECT_TRUE(make_cases(subjects, rows, true, "nothing has this name").empty());
+}
+
+// Every scene of the matrix can be built, or is refused for a reason that is told.
+TEST(Stress, EveryCaseIsASceneThatCanBeBuilt) {
+  const auto subjects = built_in_subjects(false);
+  const auto rows = extremes();
+  for (const Case& c : make_cases(subjects, rows, false, "")) {
+    try {
+      const sim::System system(c.scene(3));
+      EXPECT_GE(c.steps, 100) << c.name();
+    } catch (const sim::InputError& error) {
+      EXPECT_NE(c.name().find("neo-hookean"), std::string::npos) << c.name() << ": " << error.what();
+    }
+  }
+}
+
+TEST(Stress, AScenesOwnBodyIsFreedOfItsLoads) {
+  const TemporaryFolder folder;
+  write_all(folder / "a.toml",
+            "[time]\nfps = 24\nintegrator = \"sdirk2\"\n[[body]]\nname = \"b\"\nmesh = { box = [1, 1, 1], cells = [1, "
+            "1, 1] }\n"
+            "material.young = 7e4\npin = [{ group = \"left\" }]\n[[obstacle]]\nplane = { point = [0, -1, 0], normal = "
+            "[0, 1, 0] }\n");
+  const Subject subject = subject_of(load_scene(folder / "a.toml").scene);
+  EXPECT_EQ(subject.scheme, "sdirk2");
+  EXPECT_EQ(subject.scene.time.fps, 24);
+  EXPECT_EQ(subject.scene.bodies[0].materials[0].young, 7e4);
+  EXPECT_TRUE(subject.scene.bodies[0].pins.empty() && subject.scene.obstacles.empty());
+  EXPECT_EQ(subject.scene.world.gravity.norm(), 0);
+}
+
+TEST(Stress, TableAndCsvSayTheSame) {
+  Subject subject = built_in_subjects(true).front();
+  const auto rows = extremes();
+  CaseResult result;
+  result.recovery.verdict = sim::Verdict::other_equilibrium;
+  result.recovery.inverted = 3;
+  result.recovery.steps = 10;
+  result.recovery.newton = 25;
+  result.recovery.not_converged = 1;
+  result.recovery.reason = "solver.max_iterations reached";
+  CaseResult refused;
+  refused.refused = "has a \"reason\", and more";
+  const std::vector<Case> cases = {{&subject, &rows[0], 10}, {&subject, &rows[1], 10}};
+  const std::string row = table_row(cases[0], result);
+  EXPECT_NE(row.find("other equilibrium"), std::string::npos);
+  EXPECT_NE(row.find(" 2.50 "), std::string::npos) << row;  // iterations a step
+  const std::string csv = stress_csv(cases, {result, refused});
+  EXPECT_NE(csv.find("\"start/scrambled\",\"tet4\",\"stable-neo-hookean\",backward-euler,\"other equilibrium\""),
+            std::string::npos)
+      << csv;
+  EXPECT_NE(csv.find("\"has a \"\"reason\"\", and more\""), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+  EXPECT_NE(table_summary(cases, {result, refused}).find("2 cases: 1 other equilibrium, 1 refused"), std::string::npos);
+}
+
+TEST(Stress, TheCommandLeavesItsCsvAndOverwritesNone) {
+  const TemporaryFolder folder;
+  Options options;
+  options.command = Command::stress;
+  options.out = folder / "s";
+  options.quick = options.quiet = true;
+  options.threads = 2;
+  options.only = "start/far";
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(stress(options), kDone);
+  const std::string table = testing::internal::GetCapturedStdout();
+  EXPECT_NE(table.find("start/far"), std::string::npos);
+  EXPECT_NE(table.find("5 cases: 5 recovered"), std::string::npos) << table;
+  EXPECT_TRUE(read_all(folder / "s/stress.csv").starts_with("extreme,body,material,integrator,verdict,"));
+  EXPECT_NE(error_of([&] { stress(options); }).find("--overwrite"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,212 @@
+// Holds at the extremes: a part of what `ritz stress` tries, with other seeds; long runs; what is done where Newton
+// fails.
+#include <gtest/gtest.h>
+
+#include "sim/recovery.h"
+#include "sim/start/start.h"
+#include "tests/sim/stepping.h"
+
+namespace sim::test {
+namespace {
+
+// 2 x 1 x 1 m of soft rubber that is damped well enough to come to rest within the run.
+Scene block(const std::string& material, const std::string& scheme, const std::string& start, std::uint64_t seed) {
+  Scene scene;
+  Body body;
+  body.name = "block";
+  body.mesh = generate_box({2, 1, 1}, {4, 2, 2}, {1, 1, 1}, ElementKind::tet4);
+  body.materials = {MaterialSpec{material, 1e5, 0.45, 1000, ""}};
+  body.damping.alpha = 10;
+  body.start.shape = start;
+  scene.world.gravity.setZero();
+  scene.time.integrator = scheme;
+  scene.bodies = {body};
+  scene.seed = seed;
+  return scene;
+}
+
+bool never() {
+  return false;
+}
+
+Recovery recovery_of(const Scene& scene, int steps = 300) {
+  return recover(System(scene), steps, false, never);
+}
+
+TEST(Stability, EveryStartEndsFiniteAndIsCalledWhatItIs) {
+  std::uint64_t seed = 100;
+  for (const char* material : {"stable-neo-hookean", "fixed-corotated", "corotated"})
+    for (const char* scheme : {"backward-euler", "sdirk2", "tr-bdf2"})
+      for (const StartShape& start : start_shapes()) {
+        if (material != std::string("stable-neo-hookean") && scheme != std::string("backward-euler")) continue;
+        const Recovery r = recovery_of(block(material, scheme, std::string(start.name), ++seed));
+        const std::string which = std::string(start.name) + " " + material + " " + scheme;
+        EXPECT_NE(r.verdict, Verdict::stopped) << which << ": " << r.failure;
+        EXPECT_TRUE(std::isfinite(r.distance) && std::isfinite(r.min_J)) << which;
+        // Where nothing is folded or inverted in the end there is one place to be: the rest shape.
+        if (r.verdict == Verdict::other_equilibrium) EXPECT_GT(r.inverted + r.wound, 0) << which;
+        if (r.verdict == Verdict::recovered) EXPECT_EQ(r.inverted + r.wound, 0) << which;
+      }
+}
+
+TEST(Stability, StartsThatDoNotFoldTheBodyAlwaysRecover) {
+  for (const char* start : {"plane", "inverted", "twisted", "squashed", "far"})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Recovery r = recovery_of(block("stable-neo-hookean", "backward-euler", start, seed));
+      EXPECT_EQ(r.verdict, Verdict::recovered) << start << ", seed " << seed << ": " << r.distance;
+      EXPECT_EQ(r.not_converged, 0) << start << ", seed " << seed;
+    }
+}
+
+// The way out that can be switched on: of stuck states at a step of 1 s, and of a stiff body, none is left.
+TEST(Stability, UntanglingLeadsOutOfStuckStates) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Scene scene = block("stable-neo-hookean", "backward-euler", "scrambled", seed);
+    scene.time.fps = 1;
+    EXPECT_EQ(recovery_of(scene, 60).verdict, Verdict::other_equilibrium) << seed;
+    scene.bodies[0].untangle = 1;
+    EXPECT_EQ(recovery_of(scene, 60).verdict, Verdict::recovered) << seed;
+    scene.time.fps = 60;
+    scene.bodies[0].materials[0].young = 1e9;
+    EXPECT_EQ(recovery_of(scene).verdict, Verdict::recovered) << seed;
+  }
+}
+
+// The same problem in other units of length: the same shapes, to round-off.
+TEST(Stability, SizeDoesNotMatter) {
+  Eigen::VectorXd first;
+  for (const double size : {1.0, 1e-6, 1e-3, 1e3, 1e6}) {
+    Scene scene = block("stable-neo-hookean", "backward-euler", "squashed", 1);
+    Body& body = scene.bodies[0];
+    body.mesh.X *= size;
+    body.start.amount = 0.3;
+    body.materials[0].young *= size * size;
+    Stepped run(scene);
+    run.steps(30);
+    if (first.size() == 0) first = run.state.x;
+    EXPECT_LT((run.state.x / size - first).norm() / first.norm(), 1e-6) << size;
+  }
+}
+
+TEST(Stability, StepsOfTwoSecondsAreCounted) {
+  Scene scene = block("stable-neo-hookean", "backward-euler", "squashed", 1);
+  scene.time.fps = 1;
+  scene.time.unit = 2;
+  const System system(scene);
+  EXPECT_EQ(system.step_seconds(), 2);
+  EXPECT_EQ(system.time(3), 6);
+  EXPECT_EQ(recover(system, 50, false, never).verdict, Verdict::recovered);
+}
+
+// A step that needs more iterations than it is given.
+Scene hard_step(const char* on_failure) {
+  Scene scene = block("stable-neo-hookean", "backward-euler", "stretched", 1);
+  scene.bodies[0].start.amount = 2;
+  scene.solver.max_iterations = 4;
+  scene.solver.on_failure = on_failure;
+  return scene;
+}
+
+TEST(OnFailure, SplitTakesTheStepInHalvesAndCountsThem) {
+  Stepped run(hard_step("split"));
+  run.steps(1);  // asserts that it converged
+  EXPECT_GE(run.last.splits, 1);
+  EXPECT_LE(run.last.splits, 15);
+  EXPECT_EQ(run.state.step, 1);
+  // Where it is, is where a run with half the step would be.
+  Scene fine = hard_step("stop");
+  fine.time.substeps = 2;
+  Stepped halves(fine);
+  if (run.last.splits == 1) {
+    halves.steps(2);
+    EXPECT_LT((run.state.x - halves.state.x).norm(), 1e-9);
+  }
+}
+
+TEST(OnFailure, AcceptGoesOnAndSaysSo) {
+  Stepped run(hard_step("accept"));
+  const StepReport report = run.stepper->step(run.state);
+  EXPECT_EQ(report.failure, "");
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.reason, "solver.max_iterations reached");
+  EXPECT_EQ(report.splits, 0);
+  EXPECT_EQ(report.newton, 4);
+  EXPECT_EQ(run.state.step, 1);
+}
+
+TEST(OnFailure, StopLeavesTheStateAsItWas) {
+  Stepped run(hard_step("stop"));
+  const State before = run.state;
+  const StepReport report = run.stepper->step(run.state);
+  EXPECT_EQ(report.failure, "the step did not converge: solver.max_iterations reached");
+  EXPECT_EQ(hash(run.state), hash(before));
+  EXPECT_GE(report.min_J_element, 0);
+}
+
+TEST(OnFailure, AnUnknownChoiceIsRefused) {
+  EXPECT_THROW(System{hard_step("panic")}, InputError);
+}
+
+// Nothing that is not a number leaves a step, even where the method cannot work.
+TEST(Stability, AnExplosionIsStoppedBeforeItIsNotANumber) {
+  Scene scene = block("stvk", "central-difference", "scrambled", 1);
+  scene.time.substeps = 1;
+  Stepped run(scene);
+  StepReport report;
+  for (int k = 0; k < 1000 && report.failure.empty(); ++k) {
+    report = run.stepper->step(run.state);
+    ASSERT_TRUE(run.state.x.allFinite() && run.state.v.allFinite());
+  }
+  EXPECT_NE(report.failure, "");
+  EXPECT_GE(report.min_J_element, 0);
+}
+
+// Two tets that fly and turn: round-off and the tolerance are all that changes their momentum.
+Scene flying(const char* scheme) {
+  Scene scene;
+  Body body;
+  body.name = "body";
+  body.mesh = generate_box({1, 1, 1}, {1, 1, 1}, {1, 1, 1}, ElementKind::tet4);
+  body.materials = {MaterialSpec{"stable-neo-hookean", 1e5, 0.3, 1000, ""}};
+  body.velocity = {3, 4, 0};
+  body.spin = {{0, 0, 1}, 2};
+  scene.world.gravity.setZero();
+  scene.time.integrator = scheme;
+  scene.solver.tolerance = 1e-9;
+  scene.bodies = {body};
+  return scene;
+}
+
+constexpr int long_run = 100000;
+
+TEST(LongRun, LinearMomentumOfFreeFlightStays) {
+  for (const char* scheme : {"backward-euler", "central-difference"}) {
+    Scene scene = flying(scheme);
+    if (scheme == std::string("central-difference")) scene.time.substeps = 0;
+    const System system(scene);
+    State state = system.initial_state();
+    const auto stepper = make_stepper(system, 1);
+    const Measures before = system.measure(state);
+    for (int k = 0; k < long_run; ++k) ASSERT_EQ(stepper->step(state).failure, "");
+    const Measures after = system.measure(state);
+    EXPECT_LT((after.p - before.p).norm(), 1e-10 * before.p.norm()) << scheme;
+    RecordProperty(scheme, std::to_string((after.p - before.p).norm() / before.p.norm()));
+  }
+}
+
+TEST(LongRun, ABodyAtRestStaysWhereItIs) {
+  for (const char* scheme : {"backward-euler", "central-difference"}) {
+    Scene scene = flying(scheme);
+    scene.bodies[0].velocity.setZero();
+    scene.bodies[0].spin = {};
+    if (scheme == std::string("central-difference")) scene.time.substeps = 0;
+    const System system(scene);
+    State state = system.initial_state();
+    const auto stepper = make_stepper(system, 1);
+    for (int k = 0; k < long_run; ++k) stepper->step(state);
+    EXPECT_LT((state.x - system.parts().X).cwiseAbs().maxCoeff(), 1e-12) << scheme;
+  }
+}
+
+}  // namespace
+}  // namespace sim::test
