@@ -30,7 +30,7 @@ struct Time {
 };
 
 struct Solver {
-  std::string linear = "cholmod";      // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
+  std::string linear = "auto";         // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
   double tolerance = 1e-4;             // body sizes per second: Newton stops when max |dx|/(g h) is below it
   int max_iterations = 50;             // Newton iterations per stage
   std::string definiteness = "clamp";  // "clamp" | "abs" | "none"

@@ -52,6 +52,7 @@ void TangentOperator::assemble(BlockMatrix& A) const {
   A.set_zero();
   for (const Mass& mass : parts_.masses) mass.add_matrix(mass_, A);
   for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_matrix(*stores_[k], 1, A);
+  A.mirror(threads_);
 }
 
 }  // namespace sim

@@ -48,7 +48,7 @@ class Term {
   }
   // y += s K p, without a matrix
   virtual void add_product(const Store&, double /*s*/, const Eigen::VectorXd& /*p*/, Eigen::VectorXd& /*y*/) const {}
-  // A += s K
+  // A += s K, the blocks (i, j) with i <= j (BlockMatrix::mirror makes the others)
   virtual void add_matrix(const Store&, double /*s*/, BlockMatrix& /*A*/) const {}
   // d += s diag(K)
   virtual void add_diagonal(const Store&, double /*s*/, Eigen::VectorXd& /*d*/) const {}

@@ -74,6 +74,7 @@ TEST_F(Terms, ProductDiagonalAndMatrixAreTheDerivativeOfTheForce) {
     EXPECT_LT((y / 2 - difference).norm(), 1e-4 * difference.norm() + 1e-3) << term.info().name;
     BlockMatrix A(*parts_.pattern, 3);
     term.add_matrix(store, 2, A);
+    A.mirror(1);
     Eigen::VectorXd Ap(x_.size());
     A.multiply(p_, Ap, 1);
     EXPECT_LT((Ap - y).norm(), 1e-11 * y.norm() + 1e-12) << term.info().name;
