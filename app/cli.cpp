@@ -62,10 +62,17 @@ void add_scene_options(CLI::App& command, Options& options) {
       ->check(CLI::Range(1, kMostThreads))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "Of everything random in a scene")
+  command
+      .add_option_function<std::uint64_t>(
+          "--seed",
+          [&options](const std::uint64_t& seed) {
+            options.seed = seed;
+            options.overrides.push_back({"seed", std::to_string(seed), "--seed " + std::to_string(seed)});
+          },
+          "Of everything random in a scene [1]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N")
-      ->capture_default_str();
+      ->trigger_on_parse();
   command.add_flag("--quiet", options.quiet, "No progress; errors only");
 }
 
@@ -93,6 +100,18 @@ void add_picture_options(CLI::App& command, Options& options) {
   command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
 }
 
+void add_stress_options(CLI::App& command, Options& options) {
+  add_scene_options(command, options);
+  command.get_option("SCENE")->required(false);
+  command.add_option("-o,--out", options.out, "Folder of stress.csv [out/stress]")->type_name("DIR");
+  command.add_flag("--overwrite", options.overwrite, "Replace the stress.csv of an earlier run");
+  command.add_flag("--quick", options.quick, "A part of the matrix, under a minute");
+  command
+      .add_option("--only", options.only,
+                  "The cases with this in their name, as in --only \"start/*tet4*sdirk2\"; * is anything")
+      ->type_name("PATTERN");
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(const std::vector<std::string>& arguments, std::ostream& out,
@@ -111,6 +130,8 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   for (CLI::App* const command : {&record, &run, &explain}) add_scene_options(*command, options);
   for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
   add_picture_options(record, options);
+  CLI::App& stress = *app.add_subcommand("stress", "Stability at the extremes, measured: table and CSV");
+  add_stress_options(stress, options);
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
   explain.get_option("SCENE")->required(false);
@@ -124,7 +145,10 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
     exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
     return std::nullopt;
   }
-  options.command = record.parsed() ? Command::record : run.parsed() ? Command::run : Command::explain;
+  options.command = record.parsed()   ? Command::record
+                    : run.parsed()    ? Command::run
+                    : stress.parsed() ? Command::stress
+                                      : Command::explain;
   return options;
 }
 

@@ -15,5 +15,6 @@ constexpr int kInterrupted = 130;     // what was written stays valid
 int record(const Options& options);   // step and draw
 int run(const Options& options);      // step only: the numbers
 int explain(const Options& options);  // what is modelled and what it costs, before a step is taken
+int stress(const Options& options);   // stability at the extremes: table, CSV
 
 }  // namespace app

@@ -16,7 +16,7 @@ struct Override {
   std::string origin;  // what messages say it came from: "--set body.0.material.poisson=0.49"
 };
 
-enum class Command { record, run, explain };
+enum class Command { record, run, explain, stress };
 
 struct Options {
   Command command = Command::record;
@@ -34,6 +34,8 @@ struct Options {
   int every = 1;                    // draw frames 0, n, 2n, ...
   bool still = false;               // draw the last frame only
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
+  bool quick = false;               // stress: a part of the matrix, under a minute
+  std::string only;                 // stress: the cases whose name has this in it; empty: all
   bool keys = false;                // explain: print the reference of the keys, no scene
 };
 

@@ -17,13 +17,13 @@ double seconds_between(Progress::Clock::time_point from, Progress::Clock::time_p
   return std::chrono::duration<double>(to - from).count();
 }
 
-std::string bar(double share) {
+}  // namespace
+
+std::string progress_bar(double share) {
   const int full = static_cast<int>(share * kBarWidth);
   return "[" + std::string(static_cast<std::size_t>(full), '#') +
          std::string(static_cast<std::size_t>(kBarWidth - full), '.') + "] ";
 }
-
-}  // namespace
 
 ProgressStyle progress_style(bool quiet) {
   if (quiet) return ProgressStyle::silent;
@@ -54,7 +54,7 @@ void Progress::update(std::int64_t step, Clock::time_point now) {
   printed_ = now;
   const double share = static_cast<double>(step) / static_cast<double>(std::max<std::int64_t>(plan_.last_step, 1));
   if (as_bar) {
-    out_ << '\r' << bar(share) << text(step, now) << "\x1b[K" << std::flush;
+    out_ << '\r' << progress_bar(share) << text(step, now) << "\x1b[K" << std::flush;
   } else {
     out_ << text(step, now) << std::endl;
   }

@@ -37,6 +37,9 @@ class Progress {
   Clock::time_point start_, printed_;
 };
 
+// "[######..................] "
+std::string progress_bar(double share);
+
 // "1:05" or "2:03:09": minutes and seconds, hours where needed.
 std::string clock_text(double seconds);
 

@@ -33,6 +33,8 @@ const char* text(Command command) {
       return "run";
     case Command::explain:
       return "explain";
+    case Command::stress:
+      return "stress";
   }
   return "";
 }

@@ -10,11 +10,13 @@
 #include "sim/solve/linear_solver.h"
 #include "sim/solve/newton.h"
 #include "sim/stable_step.h"
+#include "sim/start/start.h"
 #include "sim/term/damping.h"
 #include "sim/term/gravity.h"
 #include "sim/term/obstacle.h"
 #include "sim/term/spring.h"
 #include "sim/term/traction.h"
+#include "sim/time/implicit.h"
 
 namespace sim {
 
@@ -113,6 +115,39 @@ void place_nodes(System::Parts& parts) {
   parts.bound = 1e12 * parts.X.cwiseAbs().maxCoeff();
 }
 
+// Where the bodies start; each has random numbers of its own.
+void place_start(System::Parts& parts) {
+  parts.x_start = parts.X;
+  for (std::size_t b = 0; b < parts.bodies.size(); ++b) {
+    const Start& start = parts.bodies[b].start;
+    if (start.shape == "rest" && !start.perturbation) continue;
+    const Eigen::MatrixXd x = below(key_of("body", b), [&] {
+      return start_positions(parts.bodies[b].mesh, start, parts.D, parts.seed + b * 0x9e3779b97f4a7c15);
+    });
+    parts.x_start.segment(static_cast<Eigen::Index>(parts.ranges[b].first_node) * parts.D, x.size()) = x.reshaped();
+  }
+}
+
+// A material whose energy is infinite where J <= 0 cannot start there.
+void check_start(const System::Parts& parts) {
+  if (parts.x_start == parts.X) return;
+  Eigen::VectorXd x = parts.x_start, v = Eigen::VectorXd::Zero(parts.dofs());
+  parts.pins.prescribe(0, x, v);
+  for (std::size_t k = 0, e = 0; k < parts.terms.size() && e < parts.elastic.size(); ++k) {
+    if (parts.terms[k].get() != parts.elastic[e]) continue;
+    const std::size_t b = parts.elastic_body[e++];
+    const auto store = parts.terms[k]->make_store(1);
+    if (std::isfinite(parts.terms[k]->energy({x, v, 0, 0}, *store))) continue;
+    const ElasticTerm::SmallestJ least = parts.elastic[e - 1]->smallest_J(x, *store);
+    const std::string what = parts.terms[k]->info().what;
+    throw InputError(key_of("body", b) + ".start",
+                     "inverts " + std::to_string(least.inverted) + " elements (element " +
+                         std::to_string(least.element) + " has J = " + std::to_string(least.J) +
+                         "), where the energy of " + what.substr(0, what.find(',')) +
+                         " is infinite: start elsewhere, or take stable-neo-hookean or fixed-corotated");
+  }
+}
+
 void add_loads(System::Parts& parts, std::size_t b) {
   const Body& body = parts.bodies[b];
   for (std::size_t k = 0; k < body.tractions.size(); ++k) {
@@ -150,7 +185,7 @@ void add_obstacles(System::Parts& parts, const std::vector<Obstacle>& obstacles)
     auto term = std::make_unique<ObstacleTerm>(obstacles[k], contacts, thousandth * size, thousandth * size, parts.D);
     for (const ObstacleTerm::Contact& contact : contacts) {
       Vec3 x = Vec3::Zero(), normal;
-      x.head(parts.D) = parts.X.segment(static_cast<Eigen::Index>(contact.node) * parts.D, parts.D);
+      x.head(parts.D) = parts.x_start.segment(static_cast<Eigen::Index>(contact.node) * parts.D, parts.D);
       if (!(term->distance(x, normal) > 0))
         throw InputError(key_of("obstacle", k), "a body starts inside this obstacle");
     }
@@ -223,11 +258,14 @@ std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
   parts->scheme = find_scheme(scene.time.integrator);
   if (!parts->scheme) throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
   definiteness(scene.solver.definiteness);
+  on_failure(scene.solver.on_failure);
   parts->bodies = scene.bodies;
   // Nothing is divided by the mass of a static scene; its weight is that of the true integrals.
   if (parts->scheme->is_static)
     for (Body& body : parts->bodies) body.mass = "consistent";
+  parts->seed = scene.seed;
   place_nodes(*parts);
+  place_start(*parts);
   for (std::size_t b = 0; b < parts->bodies.size(); ++b) add_body(*parts, b);
   if (scene.world.gravity.head(parts->D).norm() > 0)
     parts->terms.push_back(std::make_unique<Gravity>(scene.world.gravity, parts->masses, parts->X, parts->D));
@@ -236,6 +274,7 @@ std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
   add_springs(*parts, scene.springs);
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(*parts, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
+  check_start(*parts);
   warn_of_mass_solve(*parts);
   settle_substeps(*parts);
   form_pattern(*parts);

@@ -27,10 +27,12 @@ struct System::Parts {
   int threads = 1;
   Time time;  // substeps settled
   Solver solver;
+  std::uint64_t seed = 1;
   const Scheme* scheme = nullptr;
   std::vector<Body> bodies;
   std::vector<BodyRange> ranges;
   Eigen::VectorXd X;          // rest positions, D numbers per node
+  Eigen::VectorXd x_start;    // positions at t = 0
   Eigen::VectorXd node_size;  // body size [m] at each node
   std::vector<Mass> masses;   // one for each body
   std::vector<std::unique_ptr<Term>> terms;
@@ -46,9 +48,9 @@ struct System::Parts {
   Eigen::Index dofs() const { return static_cast<Eigen::Index>(node_count) * D; }
   // Steps are counted in integers, so that frame k is at k/fps exactly.
   double t(std::int64_t step) const {
-    return static_cast<double>(step) / (static_cast<double>(time.fps) * time.substeps);
+    return static_cast<double>(step) * time.unit / (static_cast<double>(time.fps) * time.substeps);
   }
-  double h() const { return 1.0 / (static_cast<double>(time.fps) * time.substeps); }
+  double h() const { return time.unit / (static_cast<double>(time.fps) * time.substeps); }
 };
 
 }  // namespace sim

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,7 @@ struct Time {
   double seconds = 2.0;  // s, simulated
   int fps = 60;          // frames per simulated second; frame k is at k/fps exactly
   int substeps = 1;      // steps per frame, h = 1/(fps*substeps); 0 = auto (explicit schemes: what stability needs)
+  int unit = 1;          // s; fps, and so h, count in it: fps = 1 and unit = 2 make h = 2 s
   std::string integrator = "backward-euler";  // a row of sim/time/scheme.h
 };
 
@@ -34,6 +36,8 @@ struct Solver {
   double tolerance = 1e-4;             // body sizes per second: Newton stops when max |dx|/(g h) is below it
   int max_iterations = 50;             // Newton iterations per stage
   std::string definiteness = "clamp";  // "clamp" | "abs" | "none"
+  std::string on_failure = "split";    // "split" | "accept" | "stop": a step whose equations are not solved
+  bool untangle = false;               // stuck inverted elements are re-shaped: sim/time/untangle.h
 };
 
 struct World {
@@ -93,6 +97,14 @@ struct Spin {
   double rate = 0;        // rad/s
 };
 
+// Where the nodes start, if not at rest: a row of sim/start/start.h. Without a value: what the row says.
+struct Start {
+  std::string shape = "rest";
+  std::optional<double> amount;        // how much; its unit depends on the shape
+  std::optional<Vec3> direction;       // unit
+  std::optional<double> perturbation;  // of the body's size: largest random displacement of each component
+};
+
 struct Body {
   std::string name;
   Mesh mesh;                            // already placed (translate, rotate, scale applied)
@@ -104,6 +116,7 @@ struct Body {
   std::vector<Traction> tractions;
   Vec3 velocity = {0, 0, 0};  // m/s, initial
   Spin spin;
+  Start start;
 };
 
 struct Plane {
@@ -136,6 +149,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   std::vector<Spring> springs;
   std::vector<Probe> probes;
+  std::uint64_t seed = 1;  // of everything random
 };
 
 }  // namespace sim

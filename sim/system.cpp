@@ -61,7 +61,7 @@ Counts System::counts() const {
 
 State System::initial_state() const {
   State state;
-  state.x = parts_->X;
+  state.x = parts_->x_start;
   state.v.resize(parts_->dofs());
   const int D = parts_->D;
   for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {

@@ -18,6 +18,9 @@ inline Value to_value(bool x) {
 inline Value to_value(int x) {
   return std::int64_t{x};
 }
+inline Value to_value(std::uint64_t x) {
+  return static_cast<std::int64_t>(x);
+}
 inline Value to_value(double x) {
   return x;
 }
@@ -55,6 +58,9 @@ inline void from_value(const Value& value, bool& x) {
 }
 inline void from_value(const Value& value, int& x) {
   x = static_cast<int>(std::get<std::int64_t>(value));
+}
+inline void from_value(const Value& value, std::uint64_t& x) {
+  x = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
 }
 inline void from_value(const Value& value, double& x) {
   x = std::get<double>(value);

@@ -2,6 +2,7 @@
 
 #include "sim/element/list.h"
 #include "sim/material/list.h"
+#include "sim/start/start.h"
 #include "sim/time/scheme.h"
 
 namespace app {
@@ -27,6 +28,16 @@ std::vector<std::string_view> linear_solver_names() {
 
 std::vector<std::string_view> definiteness_names() {
   return {"clamp", "abs", "none"};
+}
+
+std::vector<std::string_view> on_failure_names() {
+  return {"split", "accept", "stop"};
+}
+
+std::vector<std::string_view> start_names() {
+  std::vector<std::string_view> all;
+  for (const sim::StartShape& shape : sim::start_shapes()) all.push_back(shape.name);
+  return all;
 }
 
 std::vector<std::string_view> material_names() {

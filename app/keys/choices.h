@@ -9,6 +9,8 @@ namespace app {
 std::vector<std::string_view> integrator_names();
 std::vector<std::string_view> linear_solver_names();
 std::vector<std::string_view> definiteness_names();
+std::vector<std::string_view> on_failure_names();
+std::vector<std::string_view> start_names();
 std::vector<std::string_view> material_names();
 std::vector<std::string_view> element_names();
 std::vector<std::string_view> mass_names();

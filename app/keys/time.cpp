@@ -38,6 +38,11 @@ std::vector<Key> time_keys() {
        .absent = "none",
        .meaning = "What the scene shows, in a few words; drawn above the picture.",
        .binding = field<whole_document, &Document::title>},
+      {.path = "seed",
+       .kind = Kind::integer,
+       .range = at_least(0),
+       .meaning = "Of everything random in the scene: other seeds, other random starts. --seed sets it.",
+       .binding = field<scene_of, &sim::Scene::seed>},
       {.path = "time", .kind = Kind::table, .meaning = "How long the scene lasts and how it is stepped."},
       {.path = "time.seconds",
        .kind = Kind::number,
@@ -94,6 +99,12 @@ std::vector<Key> time_keys() {
        .meaning =
            "What is done to negative eigenvalues of an element's stiffness: set to zero, made positive, or kept.",
        .binding = field<solver_of, &sim::Solver::definiteness>},
+      {.path = "solver.on_failure",
+       .kind = Kind::choice,
+       .choices = on_failure_names,
+       .meaning = "A step whose equations are not solved: is taken again in halves (16 parts at most), is accepted as "
+                  "it is, or stops the run.",
+       .binding = field<solver_of, &sim::Solver::on_failure>},
   };
 }
 

@@ -132,7 +132,8 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
   const int most = stage.one_iteration ? 1 : parts_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, parts_.solver.tolerance) : linear_tolerance;
-  for (int k = 0; k < most; ++k) {
+  int k = 0;
+  for (; k < most; ++k) {
     if (!direction(stage, motion, begin, linear, kept, report)) {
       report.failure = "the forces or the Newton direction are not finite";
       return false;
@@ -154,6 +155,8 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
     if (a == 0) break;
   }
   report.converged = false;
+  report.reason =
+      k < most ? "no step along the Newton direction lowers the potential" : "solver.max_iterations reached";
   return true;
 }
 

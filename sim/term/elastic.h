@@ -16,6 +16,7 @@ class ElasticTerm : public Term {
   struct SmallestJ {
     double J;
     int element;
+    int inverted = 0;  // elements with J <= 0
   };
   virtual SmallestJ smallest_J(const Eigen::VectorXd& x, Store& store) const = 0;
   // For the node values of a quantity: at each node of an element sums += w value, weights += w (numbers of the

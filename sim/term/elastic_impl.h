@@ -103,10 +103,11 @@ class ElasticBlock : public ElasticTerm {
       }
       s.energies[batch] = least;
     });
-    SmallestJ r{std::numeric_limits<double>::infinity(), -1};
+    SmallestJ r{std::numeric_limits<double>::infinity(), -1, 0};
     for (int e = 0; e < elements_.count; ++e) {
       const double J = s.energies[e / lane_count][e % lane_count];
-      if (!(J >= r.J)) r = {J, elements_.element[e]};
+      if (!(J > 0)) ++r.inverted;
+      if (!(J >= r.J)) r = {J, elements_.element[e], r.inverted};
       if (std::isnan(J)) break;
     }
     return r;

@@ -10,6 +10,7 @@ bool finish_step(const System::Parts& parts, TangentOperator& tangent, const Sta
   for (std::size_t e = 0; e < parts.elastic.size(); ++e) {
     while (parts.terms[k].get() != parts.elastic[e]) ++k;
     const ElasticTerm::SmallestJ least = parts.elastic[e]->smallest_J(state.x, *tangent.stores()[k]);
+    report.inverted += least.inverted;
     if (!(least.J >= report.min_J)) {
       report.min_J = least.J;
       report.min_J_element = parts.ranges[parts.elastic_body[e]].first_element + least.element;

@@ -7,14 +7,31 @@
 
 namespace sim {
 
-ImplicitStepper::ImplicitStepper(const System::Parts& parts, int threads) : parts_(parts), newton_(parts, threads) {
+namespace {
+
+constexpr int most_halvings = 4;  // of a step: 16 parts at most
+
+}  // namespace
+
+OnFailure on_failure(const std::string& name) {
+  if (name == "split") return OnFailure::split;
+  if (name == "accept") return OnFailure::accept;
+  if (name == "stop") return OnFailure::stop;
+  throw InputError("solver.on_failure", "\"" + name + "\" is not one of split, accept, stop");
+}
+
+ImplicitStepper::ImplicitStepper(const System::Parts& parts, int threads)
+    : parts_(parts),
+      on_failure_(on_failure(parts.solver.on_failure)),
+      newton_(parts, threads),
+      begin_(most_halvings + 1) {
   for (Eigen::VectorXd* v : {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &force_})
     v->resize(parts.dofs());
 }
 
 // Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight,
 // whichever has the lower potential; where the terms allow neither, x_n.
-void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme) {
+void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
   const auto place = [&] {
     if (problem.gh != 0) x_ = x_star_ + problem.gh * v_;
@@ -31,7 +48,7 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme) {
   v_ = v_start_;
   double lowest = place();
   if (next_.v_before.size() > 0) {
-    v_ = v_start_ + (problem.gh / parts_.h()) * (next_.v - next_.v_before);
+    v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
     const double carried_on = place();
     if (carried_on < lowest) {
       lowest = carried_on;
@@ -45,9 +62,8 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme) {
   place();
 }
 
-bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, const Motion& begin,
+bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, const Motion& begin,
                                  StepReport& report) {
-  const double h = parts_.h();
   const Eigen::VectorXd* x[] = {&next_.x, &next_.x_before, &x_first_};
   const Eigen::VectorXd* v[] = {&next_.v, &next_.v_before, &v_first_};
   const Eigen::VectorXd* f[] = {&next_.force, nullptr, &force_first_};
@@ -66,7 +82,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
   }
   const StageProblem problem{
       x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, begin.t + stage.end * h, scheme.one_iteration};
-  guess(problem, scheme);
+  guess(problem, scheme, h);
   if (!newton_.solve(problem, begin, x_, v_, next_.kept, report)) return false;
   if (problem.gh != 0) {
     // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
@@ -84,7 +100,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
   return true;
 }
 
-bool ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t_end, StepReport& report) {
+void ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t_end) {
   next_.x_before = begin.x;
   next_.v_before = begin.v;
   if (scheme.extrapolate) {
@@ -97,20 +113,17 @@ bool ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t
   if (scheme.is_static) next_.v.setZero();
   parts_.pins.prescribe(t_end, next_.x, next_.v);
   next_.force = force_;
-  ++next_.step;
-  return finish_step(parts_, newton_.tangent(), next_, report);
 }
 
-StepReport ImplicitStepper::step(State& state) {
-  StepReport report;
-  report.step = state.step + 1;
-  Stopwatch watch(report.seconds);
+// next_ from `begin` over the interval; false where the equations are not solved.
+bool ImplicitStepper::attempt(const Interval& interval, const State& begin_state, StepReport& report) {
+  const auto& [t, t_end, h, depth] = interval;
   const Scheme* scheme = parts_.scheme;
-  if (!scheme->first_step.empty() && state.x_before.size() == 0) scheme = find_scheme(scheme->first_step);
-  const double t = parts_.t(state.step), t_end = parts_.t(state.step + 1);
+  // The step before has the same length only where no step is halved.
+  if (!scheme->first_step.empty() && (begin_state.x_before.size() == 0 || depth > 0))
+    scheme = find_scheme(scheme->first_step);
   const bool released = parts_.pins.released(t_end) != parts_.pins.released(t);
-  next_ = state;
-  const Motion begin{state.x, state.v, t, 0};
+  const Motion begin{begin_state.x, begin_state.v, t, 0};
   if (released) next_.kept.valid = 0;
   newton_.begin_step(begin, t_end, next_.kept);
   if (next_.force.size() == 0 || released) {
@@ -118,9 +131,46 @@ StepReport ImplicitStepper::step(State& state) {
     newton_.tangent().forces(begin, next_.force);
     ++report.force_evaluations;
   }
+  report.converged = true;
   for (std::size_t k = 0; k < scheme->stages.size(); ++k)
-    if (!take_stage(*scheme, scheme->stages[k], static_cast<int>(k), begin, report)) return report;
-  if (finish(*scheme, begin, t_end, report)) std::swap(state, next_);
+    if (!take_stage(*scheme, scheme->stages[k], static_cast<int>(k), h, begin, report)) return false;
+  finish(*scheme, begin, t_end);
+  return report.converged;
+}
+
+// Moves next_ over the interval, in halves where it must be. False, with report.failure: it cannot be done.
+bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
+  const auto& [t, t_end, h, depth] = interval;
+  const bool converged_before = report.converged;
+  State& begin = begin_[depth];
+  begin = next_;
+  const bool solved = attempt(interval, begin, report);
+  if (solved) {
+    report.converged = converged_before;
+    return true;
+  }
+  if (on_failure_ == OnFailure::stop && report.failure.empty())
+    report.failure = "the step did not converge: " + std::string(report.reason);
+  if (on_failure_ != OnFailure::split || depth == most_halvings || parts_.scheme->is_static)
+    return report.failure.empty();
+  next_ = begin;
+  report.converged = converged_before;
+  report.failure.clear();
+  ++report.splits;
+  const double middle = t + h / 2;
+  return advance({t, middle, h / 2, depth + 1}, report) && advance({middle, t_end, h / 2, depth + 1}, report);
+}
+
+StepReport ImplicitStepper::step(State& state) {
+  StepReport report;
+  report.step = state.step + 1;
+  Stopwatch watch(report.seconds);
+  next_ = state;
+  if (!advance({parts_.t(state.step), parts_.t(state.step + 1), parts_.h(), 0}, report)) return report;
+  next_.x_before = state.x;
+  next_.v_before = state.v;
+  ++next_.step;
+  if (finish_step(parts_, newton_.tangent(), next_, report)) std::swap(state, next_);
   return report;
 }
 

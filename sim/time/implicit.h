@@ -6,19 +6,35 @@
 
 namespace sim {
 
+// What is done with a step whose equations are not solved: take it again in halves, accept it, or stop.
+enum class OnFailure { split, accept, stop };
+
+// "split", "accept", "stop". Throws InputError (key "solver.on_failure").
+OnFailure on_failure(const std::string& name);
+
 class ImplicitStepper final : public Stepper {
  public:
   ImplicitStepper(const System::Parts& parts, int threads);
   StepReport step(State& state) override;
 
  private:
-  bool take_stage(const Scheme& scheme, const Stage& stage, int number, const Motion& begin, StepReport& report);
-  void guess(const StageProblem& problem, const Scheme& scheme);
-  bool finish(const Scheme& scheme, const Motion& begin, double t_end, StepReport& report);
+  // A step, or a part of one: from t to t_end = t + h. Depth: how often it was halved.
+  struct Interval {
+    double t, t_end, h;
+    int depth;
+  };
+  bool advance(const Interval& interval, StepReport& report);
+  bool attempt(const Interval& interval, const State& begin, StepReport& report);
+  bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, const Motion& begin,
+                  StepReport& report);
+  void guess(const StageProblem& problem, const Scheme& scheme, double h);
+  void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
   const System::Parts& parts_;
+  OnFailure on_failure_;
   Newton newton_;
-  State next_;  // the step under way; the caller's state is untouched until it is done
+  State next_;                // the step under way; the caller's state is untouched until it is done
+  std::vector<State> begin_;  // where the step, and its halves, began; by depth
   Eigen::VectorXd x_star_, v_start_, impulse_;
   Eigen::VectorXd x_first_, v_first_, force_first_;  // first stage of two
   Eigen::VectorXd x_, v_, force_;                    // the stage under way

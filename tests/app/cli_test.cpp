@@ -42,14 +42,16 @@ TEST(CommandLine, EveryOptionOfRecordArrives) {
   EXPECT_EQ(options.every, 3);
   EXPECT_EQ(options.settings, "s.toml");
   EXPECT_EQ(options.video, "a.mp4");
-  ASSERT_EQ(options.overrides.size(), 3U);
-  EXPECT_EQ(options.overrides[0].key, "a.b");
-  EXPECT_EQ(options.overrides[0].value, "c=d");
-  EXPECT_EQ(options.overrides[0].origin, "--set a.b=c=d");
-  EXPECT_EQ(options.overrides[1].key, "time.seconds");
-  EXPECT_EQ(options.overrides[1].value, "1.5");
-  EXPECT_EQ(options.overrides[1].origin, "--seconds 1.5");
-  EXPECT_EQ(options.overrides[2].key, "time.fps");
+  ASSERT_EQ(options.overrides.size(), 4U);
+  EXPECT_EQ(options.overrides[0].key, "seed");
+  EXPECT_EQ(options.overrides[0].value, "7");
+  EXPECT_EQ(options.overrides[1].key, "a.b");
+  EXPECT_EQ(options.overrides[1].value, "c=d");
+  EXPECT_EQ(options.overrides[1].origin, "--set a.b=c=d");
+  EXPECT_EQ(options.overrides[2].key, "time.seconds");
+  EXPECT_EQ(options.overrides[2].value, "1.5");
+  EXPECT_EQ(options.overrides[2].origin, "--seconds 1.5");
+  EXPECT_EQ(options.overrides[3].key, "time.fps");
 }
 
 TEST(CommandLine, OverridesKeepTheirOrder) {

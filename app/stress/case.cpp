@@ -1,0 +1,83 @@
+#include "app/stress/case.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/stress/extremes.h"
+#include "sim/element/element.h"
+#include "sim/time/scheme.h"
+
+namespace app {
+namespace {
+
+bool is_sheet(const Subject& subject) {
+  const sim::Mesh& mesh = subject.scene.bodies.front().mesh;
+  return sim::info(mesh.kind).dimension < mesh.dimension();
+}
+
+// Mirroring a sheet is a rotation; J of a sheet is never negative; in the plane a line is what the plane is in space.
+bool has_meaning(const Subject& subject, const Extreme& extreme) {
+  if (is_sheet(subject)) return extreme.name != "mirrored" && extreme.name != "inverted";
+  if (subject.scene.dimension == 2) return !extreme.name.starts_with("line");
+  return true;
+}
+
+// The matrix is full for the starts; steps, materials, meshes and scripts are tried on tets with the three materials
+// and schemes that are to hold.
+bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
+  if (!subject.built_in || extreme.group == "start") return true;
+  const auto is_one_of = [](const std::string& name, auto... names) { return ((name == names) || ...); };
+  if (!is_one_of(subject.scheme, "backward-euler", "sdirk2", "tr-bdf2")) return false;
+  if (extreme.group == "mesh" && subject.scheme == "backward-euler")
+    return is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated");
+  return subject.element == "tet4" && is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated");
+}
+
+// Long enough to come to rest, short enough to be run.
+std::int64_t step_count(const sim::Scene& scene) {
+  constexpr double seconds = 5;
+  constexpr std::int64_t least = 100, most = 1000;
+  const int substeps = std::max(1, scene.time.substeps);
+  const double h = double(scene.time.unit) / (double(scene.time.fps) * substeps);
+  return std::clamp<std::int64_t>(std::llround(seconds / h), least, most);
+}
+
+}  // namespace
+
+std::string Case::name() const {
+  return extreme->group + "/" + extreme->name + " " + subject->element + " " + subject->material + " " +
+         subject->scheme;
+}
+
+sim::Scene Case::scene(std::uint64_t seed) const {
+  sim::Scene scene = subject->scene;
+  scene.seed = seed;
+  extreme->change(scene);
+  return scene;
+}
+
+std::vector<Extreme> extremes() {
+  std::vector<Extreme> all;
+  for (const auto group : {start_extremes, step_extremes, material_extremes, mesh_extremes, script_extremes})
+    for (Extreme& extreme : group()) all.push_back(std::move(extreme));
+  return all;
+}
+
+std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes, bool quick,
+                             const std::string& only) {
+  std::vector<Case> cases;
+  for (const Extreme& extreme : extremes)
+    for (const Subject& subject : subjects) {
+      Case c{&subject, &extreme, 0};
+      if ((quick && !extreme.quick) || !has_meaning(subject, extreme) || !is_in_matrix(subject, extreme)) continue;
+      if (quick && extreme.group != "start" && subject.scheme != "backward-euler" && subject.built_in) continue;
+      if (!only.empty() && fnmatch(("*" + only + "*").c_str(), c.name().c_str(), 0) != 0) continue;
+      c.steps = step_count(c.scene(1));
+      cases.push_back(c);
+    }
+  return cases;
+}
+
+}  // namespace app

@@ -1,0 +1,97 @@
+#include "app/stress/table.h"
+
+#include <cstdio>
+#include <map>
+
+#include "app/number_text.h"
+
+namespace app {
+namespace {
+
+const char* text(sim::Verdict verdict) {
+  switch (verdict) {
+    case sim::Verdict::recovered:
+      return "recovered";
+    case sim::Verdict::at_rest_loaded:
+      return "at rest, loaded";
+    case sim::Verdict::other_equilibrium:
+      return "other equilibrium";
+    case sim::Verdict::not_settled:
+      return "not settled";
+    case sim::Verdict::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+const char* verdict_of(const CaseResult& result) {
+  return result.refused.empty() ? text(result.recovery.verdict) : "refused";
+}
+
+std::string field(const std::string& content) {
+  std::string quoted = "\"";
+  for (const char c : content) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::string table_header() {
+  char line[240];
+  std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s %9s %9s %5s %6s %7s %6s %7s %7s", "extreme", "body",
+                "material", "integrator", "verdict", "distance", "min J", "inv.", "steps", "unconv.", "halved",
+                "its/step", "seconds");
+  return line;
+}
+
+std::string table_row(const Case& c, const CaseResult& result) {
+  char line[320];
+  const int length = std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s",
+                                   (c.extreme->group + "/" + c.extreme->name).c_str(), c.subject->element.c_str(),
+                                   c.subject->material.c_str(), c.subject->scheme.c_str(), verdict_of(result));
+  std::string row(line, static_cast<std::size_t>(length));
+  if (!result.refused.empty()) return row;
+  const sim::Recovery& r = result.recovery;
+  std::snprintf(line, sizeof line, " %9.1e %9.2g %5d %6lld %7d %6lld %8.2f %7.2f", r.distance, r.min_J, r.inverted,
+                static_cast<long long>(r.steps), r.not_converged, static_cast<long long>(r.splits),
+                static_cast<double>(r.newton) / static_cast<double>(std::max<std::int64_t>(r.steps, 1)),
+                result.seconds);
+  return row + line;
+}
+
+std::string table_summary(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
+  std::map<std::string, int> verdicts, reasons;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    ++verdicts[verdict_of(results[k])];
+    if (!results[k].refused.empty()) ++reasons["refused: " + results[k].refused];
+    if (!results[k].recovery.failure.empty()) ++reasons["stopped: " + results[k].recovery.failure];
+    if (!results[k].recovery.reason.empty()) ++reasons["not converged: " + results[k].recovery.reason];
+  }
+  std::string text = std::to_string(cases.size()) + " cases:";
+  for (const auto& [verdict, count] : verdicts) text += " " + std::to_string(count) + " " + verdict + ",";
+  text.back() = '\n';
+  for (const auto& [reason, count] : reasons) text += "  " + std::to_string(count) + " x " + reason + '\n';
+  return text;
+}
+
+std::string stress_csv(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
+  std::string csv =
+      "extreme,body,material,integrator,verdict,distance,min_J,inverted,steps,not_converged,halved,newton,linear,"
+      "seconds,reason\n";
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Case& c = cases[k];
+    const CaseResult& result = results[k];
+    const sim::Recovery& r = result.recovery;
+    csv += field(c.extreme->group + "/" + c.extreme->name) + "," + field(c.subject->element) + "," +
+           field(c.subject->material) + "," + c.subject->scheme + "," + field(verdict_of(result));
+    for (const double number : {r.distance, r.min_J}) append_number(csv += ',', number);
+    for (const std::int64_t number :
+         {std::int64_t{r.inverted}, r.steps, std::int64_t{r.not_converged}, r.splits, r.newton, r.linear})
+      append_number(csv += ',', number);
+    append_number(csv += ',', result.seconds);
+    csv += "," + field(!result.refused.empty() ? result.refused : !r.failure.empty() ? r.failure : r.reason) + '\n';
+  }
+  return csv;
+}
+
+}  // namespace app

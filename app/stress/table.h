@@ -1,0 +1,28 @@
+// The table that `ritz stress` prints, and its CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/stress/case.h"
+#include "sim/recovery.h"
+
+namespace app {
+
+// What came of a case.
+struct CaseResult {
+  sim::Recovery recovery;
+  std::string refused;  // why its scene could not be built; empty: it was run
+  double seconds = 0;
+};
+
+std::string table_header();
+// One line, without the end: verdict, distance from rest, smallest J, inverted elements, steps not converged and
+// halved, Newton iterations a step, seconds.
+std::string table_row(const Case& c, const CaseResult& result);
+// Counts of the verdicts, and what the reasons were; lines with their ends.
+std::string table_summary(const std::vector<Case>& cases, const std::vector<CaseResult>& results);
+
+std::string stress_csv(const std::vector<Case>& cases, const std::vector<CaseResult>& results);
+
+}  // namespace app

@@ -1,0 +1,40 @@
+// Does a body find back to its rest shape? Steps a system and says where it ends.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "sim/system.h"
+
+namespace sim {
+
+// Largest distance of a node from where it would be in the shape x_other, after the rotation and translation that fit
+// best (weights: masses), over the sizes of the bodies. Parts of a body that are not connected move each by itself.
+// [Kabsch 1976; a mirror image is another shape]
+double shape_distance(const System& system, const Eigen::VectorXd& x, const Eigen::VectorXd& x_other);
+
+enum class Verdict {
+  recovered,          // at rest, no further than 1e-4 of the size from the rest shape
+  at_rest_loaded,     // at rest under the scene's loads
+  other_equilibrium,  // at rest elsewhere, perhaps with inverted elements
+  not_settled,        // still moving at the end
+  stopped,            // a step could not be taken
+};
+
+struct Recovery {
+  Verdict verdict = Verdict::not_settled;
+  std::string failure;     // stopped: step, time, element, reason
+  std::string reason;      // of the first step that did not converge
+  double distance = 0;     // from the rest shape at the end [body sizes]
+  double min_J = 0;        // smallest after any step
+  int inverted = 0;        // elements at the end
+  std::int64_t steps = 0;  // taken; fewer than asked for where it came to rest before
+  int not_converged = 0;   // steps
+  std::int64_t splits = 0, untangled = 0, newton = 0, linear = 0;
+};
+
+// Takes `steps` steps, or fewer when the shape does not change any more. `loaded`: the scene has loads, so that the
+// rest shape is not what it should come to. Ends early, with what there is, when `interrupted` says so.
+Recovery recover(const System& system, std::int64_t steps, bool loaded, const std::function<bool()>& interrupted);
+
+}  // namespace sim
