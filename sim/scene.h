@@ -37,6 +37,7 @@ struct Solver {
   int max_iterations = 50;             // Newton iterations per stage
   std::string definiteness = "clamp";  // "clamp" | "abs" | "none"
   std::string on_failure = "split";    // "split" | "accept" | "stop": a step whose equations are not solved
+  int lag_iterations = 0;              // how often damping and friction are evaluated anew at a stage's solution
   bool untangle = false;               // stuck inverted elements are re-shaped: sim/time/untangle.h
 };
 

@@ -36,6 +36,8 @@ class Term {
   }
   // Freezes what a term keeps fixed during a step (damping's tangent, friction's normal forces).
   virtual void begin_step(const Motion& /*start*/, Store&) const {}
+  // It freezes something.
+  virtual bool lags() const { return false; }
 
   // U [J]; +infinity where the term does not allow x.
   virtual double energy(const Motion& motion, Store& store) const = 0;

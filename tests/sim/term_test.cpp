@@ -122,6 +122,29 @@ TEST(Traction, AddsUpToItsValueTimesTheArea) {
   }
 }
 
+// On a membrane a load per area acts on its faces; on its edges only where no face is inside the region.
+TEST(Traction, OnAMembraneActsOnItsFaces) {
+  for (const ElementKind kind : {ElementKind::tri3, ElementKind::tri6}) {
+    Scene scene;
+    Body body;
+    body.name = "sheet";
+    body.mesh = generate_sheet({2, 1}, {4, 2}, {1, 1}, kind);
+    body.thickness = 0.01;
+    body.materials = {MaterialSpec{"stable-neo-hookean", 1e6, 0.3, 1000, ""}};
+    scene.world.gravity = {0, 0, 0};
+    for (const auto& [low, area] : {std::pair{Vec3(-1, -1, -1), 2.0}, {Vec3(2, -1, -1), 0.01}}) {
+      body.tractions = {Traction{Box{low, {3, 2, 1}}, {0, 0, 50}, 0}};
+      scene.bodies = {body};
+      System system(scene);
+      const auto& term = *system.parts().terms[1];
+      const Eigen::VectorXd& X = system.parts().X;
+      Eigen::VectorXd f = Eigen::VectorXd::Zero(X.size());
+      term.add_forces({X, X, 1, 0}, *term.make_store(1), f);
+      EXPECT_NEAR(f.sum(), 50 * area, 1e-12);
+    }
+  }
+}
+
 // A block on an inclined plane: at rest where mu > tan(slope), sliding with g (sin - mu cos) where mu is less.
 TEST(Friction, HoldsABlockOrLetsItSlideAsCoulombSays) {
   const double slope = 0.3, g = 9.81;
