@@ -1,6 +1,7 @@
 #include "sim/solve/newton.h"
 
 #include <cmath>
+#include <limits>
 
 #include "sim/solve/stopwatch.h"
 
@@ -13,6 +14,34 @@ constexpr double armijo = 1e-4;            // share of the predicted decrease th
 constexpr int most_halvings = 40;
 constexpr double step_share = 0.9;      // of the largest step that a term allows
 constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
+
+// Which tangent the next iteration takes. A tangent made definite leads to a minimum from anywhere, but slowly where
+// stresses are high: it lacks their negative stiffness. There the exact one is tried, and given up for ever longer where
+// it is not definite or its steps are cut. [Longva et al. 2023: project on demand]
+class Exactness {
+ public:
+  explicit Exactness(Definiteness fix) : fix_(fix) {}
+  Definiteness next() {
+    exact_ = fix_ == Definiteness::none || (slow_ && wait_ == 0);
+    if (wait_ > 0) --wait_;
+    return exact_ ? Definiteness::none : fix_;
+  }
+  void look(bool good, double residual) {
+    slow_ = good && residual > slow * last_;
+    if (exact_ && !good) {
+      wait_ = pause_;
+      pause_ *= 2;
+    }
+    last_ = residual;
+  }
+
+ private:
+  static constexpr double slow = 0.3;  // an iteration that leaves more than this of the residual
+  Definiteness fix_;
+  bool exact_ = false, slow_ = false;
+  int wait_ = 0, pause_ = 2;
+  double last_ = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
@@ -78,11 +107,13 @@ void Newton::move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen
     if (free[i] != 0) x[i] = stage.x_star[i] + stage.gh * v[i];
 }
 
-// The Newton direction dx_ from the residual f - (M (v - v_start) - impulse)/(g h). False: a value is not finite.
-bool Newton::direction(const StageProblem& stage, const Motion& motion, const Motion& begin, double tolerance,
-                       KeptFactor& kept, StepReport& report) {
+// The Newton direction dx_ from the residual f - (M (v - v_start) - impulse)/(g h), with the matrix made definite as
+// `first` says, then otherwise. False: a value is not finite.
+bool Newton::direction(const StageProblem& stage, const Motion& motion, const Motion& begin, Definiteness first,
+                       double tolerance, KeptFactor& kept, StepReport& report) {
   const double rate = motion.dv_dx, mass = rate * rate;
-  for (Definiteness fix = fix_;; fix = Definiteness::clamp) {
+  const Definiteness definite = fix_ == Definiteness::none ? Definiteness::clamp : fix_;
+  for (Definiteness fix = first;; fix = definite) {
     Stopwatch watch(report.seconds_assemble);
     tangent_.linearise(motion, mass, fix, f_);
     ++report.force_evaluations;
@@ -101,7 +132,7 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, const Mo
     report.factorisations += linear.factorisations;
     if (linear.positive_definite) return dx_.allFinite();
     // The exact tangent is not positive definite here: clamped, it is.
-    if (fix == Definiteness::clamp) return false;
+    if (fix != Definiteness::none) return false;
   }
 }
 
@@ -132,9 +163,12 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
   const int most = stage.one_iteration ? 1 : parts_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, parts_.solver.tolerance) : linear_tolerance;
+  Exactness exactness(fix_);
   int k = 0;
   for (; k < most; ++k) {
-    if (!direction(stage, motion, begin, linear, kept, report)) {
+    const Definiteness first = exactness.next();
+    const int factors = report.factorisations;
+    if (!direction(stage, motion, begin, first, linear, kept, report)) {
       report.failure = "the forces or the Newton direction are not finite";
       return false;
     }
@@ -153,6 +187,7 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
                                  dx_.segment(node * parts_.D, parts_.D).norm() * per_second / parts_.node_size[node]);
     if (stage.one_iteration || (a == 1 && report.residual <= parts_.solver.tolerance)) return true;
     if (a == 0) break;
+    exactness.look(a == 1 && report.factorisations <= factors + 1, report.residual);
   }
   report.converged = false;
   report.reason =

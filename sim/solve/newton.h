@@ -32,8 +32,8 @@ class Newton {
   TangentOperator& tangent() { return tangent_; }
 
  private:
-  bool direction(const StageProblem& stage, const Motion& motion, const Motion& begin, double tolerance,
-                 KeptFactor& kept, StepReport& report);
+  bool direction(const StageProblem& stage, const Motion& motion, const Motion& begin, Definiteness first,
+                 double tolerance, KeptFactor& kept, StepReport& report);
   double line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
                      StepReport& report);
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
