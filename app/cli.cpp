@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/trade/cli.h"
 
 namespace app {
 namespace {
@@ -108,9 +109,14 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   CLI::App& record = *app.add_subcommand("record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers");
   CLI::App& run = *app.add_subcommand("run", "Step only: the numbers, no picture");
   CLI::App& explain = *app.add_subcommand("explain", "What is modelled and what it costs, before a step is taken");
-  for (CLI::App* const command : {&record, &run, &explain}) add_scene_options(*command, options);
+  CLI::App& trade = *app.add_subcommand("trade", "Speed against accuracy, measured: table, plot, advice");
+  for (CLI::App* const command : {&record, &run, &explain, &trade}) add_scene_options(*command, options);
   for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
   add_picture_options(record, options);
+  trade.add_option("-o,--out", options.out, "Folder; out/trade/NAME of the scene file when not given")
+      ->type_name("DIR");
+  trade.add_flag("--overwrite", options.overwrite, "Measure anew what an earlier trade left in the folder");
+  add_trade_options(trade, options.trade);
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
   explain.get_option("SCENE")->required(false);
@@ -124,7 +130,10 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
     exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
     return std::nullopt;
   }
-  options.command = record.parsed() ? Command::record : run.parsed() ? Command::run : Command::explain;
+  options.command = record.parsed()    ? Command::record
+                    : run.parsed()     ? Command::run
+                    : explain.parsed() ? Command::explain
+                                       : Command::trade;
   return options;
 }
 

@@ -15,5 +15,6 @@ constexpr int kInterrupted = 130;     // what was written stays valid
 int record(const Options& options);   // step and draw
 int run(const Options& options);      // step only: the numbers
 int explain(const Options& options);  // what is modelled and what it costs, before a step is taken
+int trade(const Options& options);    // speed against accuracy, measured
 
 }  // namespace app

@@ -19,6 +19,8 @@ int dispatch(const app::Options& options) {
       return app::run(options);
     case app::Command::explain:
       return app::explain(options);
+    case app::Command::trade:
+      return app::trade(options);
   }
   return app::kBadInput;
 }

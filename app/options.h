@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/trade/trade_options.h"
+
 namespace app {
 
 // A key of the scene set from outside: "body.0.material.poisson" = "0.49".
@@ -16,7 +18,7 @@ struct Override {
   std::string origin;  // what messages say it came from: "--set body.0.material.poisson=0.49"
 };
 
-enum class Command { record, run, explain };
+enum class Command { record, run, explain, trade };
 
 struct Options {
   Command command = Command::record;
@@ -35,6 +37,7 @@ struct Options {
   bool still = false;               // draw the last frame only
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
   bool keys = false;                // explain: print the reference of the keys, no scene
+  TradeOptions trade;
 };
 
 }  // namespace app
