@@ -33,6 +33,8 @@ const char* text(Command command) {
       return "run";
     case Command::explain:
       return "explain";
+    case Command::trade:
+      return "trade";
   }
   return "";
 }

@@ -32,6 +32,17 @@ std::string toml_value(const std::string& value) {
   return literal ? value : quoted_text(value);
 }
 
+const Score* knee_of(std::vector<const Score*> list) {
+  const auto own = std::ranges::find_if(list, [](const Score* s) { return s->run->which.settings.empty(); });
+  if (own != list.end()) {
+    const double limit = (*own)->bound.rms;
+    std::erase_if(list, [&](const Score* s) { return s->bound.rms > limit; });
+  }
+  std::vector<sim::WorkError> points;
+  for (const Score* score : list) points.push_back({score->seconds(), score->bound.rms});
+  return list[sim::knee(points, sim::front(points))];
+}
+
 }  // namespace
 
 std::vector<const Score*> front_of(const std::vector<const Score*>& scores) {
@@ -52,11 +63,7 @@ bool meets(const Score& score, const Goal& goal) {
 const Score* choose(const std::vector<const Score*>& scores, const Goal& goal) {
   const std::vector<const Score*> list = candidates(scores);
   if (list.empty()) return nullptr;
-  if (goal.kind == Goal::Kind::knee) {
-    std::vector<sim::WorkError> points;
-    for (const Score* score : list) points.push_back({score->seconds(), score->bound.rms});
-    return list[sim::knee(points, sim::front(points))];
-  }
+  if (goal.kind == Goal::Kind::knee) return knee_of(list);
   const bool by_time = goal.kind == Goal::Kind::time;
   const auto wanted = [&](const Score* s) { return by_time ? s->bound.rms : s->seconds(); };
   const auto limited = [&](const Score* s) { return by_time ? s->seconds() : error_of(s->bound, goal); };

@@ -12,8 +12,8 @@ namespace app {
 // The runs whose error is known and that no other beats in time and error, fastest first.
 std::vector<const Score*> front_of(const std::vector<const Score*>& scores);
 
-// Within the error: the fastest; within the time: the most accurate; else the knee of the front. Where nothing is
-// within it, the nearest. nullptr when no error is known.
+// Within the error: the fastest; within the time: the most accurate; else the knee of the front, among what is no less
+// accurate than the scene as it is. Where nothing is within the goal, the nearest. nullptr when no error is known.
 const Score* choose(const std::vector<const Score*>& scores, const Goal& goal);
 
 // Whether what is known of the run is within the goal.

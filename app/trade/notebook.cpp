@@ -22,8 +22,9 @@ std::string file_name(std::uint64_t id) {
 
 }  // namespace
 
-Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out)
-    : ground_(ground), folder_(std::move(folder)), seconds_(seconds), out_(out) {
+Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
+                   const Interrupt& interrupt)
+    : ground_(ground), folder_(std::move(folder)), seconds_(seconds), out_(out), interrupt_(interrupt) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw WriteError("cannot make the folder " + folder_.string() + ": " + error.message());
@@ -82,7 +83,7 @@ const CaseRun& Notebook::run(const Case& which, double allowance) {
     run.which = which;
     run.id = id;
     run.reason = recall_only_.empty() ? "no time left" : recall_only_;
-    return add(told(std::move(run)));
+    return add(std::move(run));
   }
   CaseRun run =
       run_case(ground_, which, simulation, {std::min(allowance, left()), kRepeatShare * seconds_}, interrupt_);

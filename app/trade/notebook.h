@@ -15,7 +15,8 @@ class Notebook {
  public:
   // `folder`: where the runs are kept (DIR/cases). `seconds`: of wall time that all runs may take. `out`: where
   // progress goes; nullptr: nowhere. Throws WriteError.
-  Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out);
+  Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
+           const Interrupt& interrupt);
 
   // The run of this case; it stays where it is. It may take `allowance` [s], but never more than is left of the time.
   const CaseRun& run(const Case& which, double allowance);
@@ -50,7 +51,7 @@ class Notebook {
   double seconds_;
   std::ostream* out_;
   Stopwatch watch_;
-  Interrupt interrupt_;
+  const Interrupt& interrupt_;
   std::deque<CaseRun> runs_;  // references stay valid
   std::string recall_only_;
   std::function<void()> changed_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 
 #include "app/number_text.h"
 #include "app/trade/advice.h"
@@ -37,6 +38,22 @@ std::string row(const Score& score, bool on_front, const References& references)
                 run.work.force_evaluations, run.work.factorisations, run.work.linear,
                 run.not_converged > 0 ? "  not converged" : "");
   return line;
+}
+
+// Errors of one integrator.
+struct Series {
+  int order = 0;
+  std::vector<double> steps, errors;
+};
+
+// Over the two smallest steps: at larger ones the motion is not resolved yet.
+double finest_slope(const Series& series) {
+  std::vector<std::size_t> order(series.steps.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t k) { return series.steps[k]; });
+  const double steps[] = {series.steps[order[0]], series.steps[order[1]]},
+               errors[] = {series.errors[order[0]], series.errors[order[1]]};
+  return sim::log_slope(steps, errors);
 }
 
 std::string quoted_field(const std::string& text) {
@@ -73,6 +90,18 @@ class Row {
   std::vector<std::string> cells_;
 };
 
+// Failures one by one; what was skipped in one paragraph.
+std::string left_out(const std::vector<const Score*>& scores) {
+  std::string failed, skipped;
+  for (const Score* score : scores) {
+    const CaseRun& run = *score->run;
+    if (run.status == Status::failed) failed += "  failed: " + run.which.label + ": " + run.reason + '\n';
+    if (run.status == Status::skipped)
+      skipped += (skipped.empty() ? "" : "; ") + run.which.label + " (" + run.reason + ")";
+  }
+  return failed + (skipped.empty() ? "" : "  skipped: " + skipped + '\n');
+}
+
 constexpr std::string_view kHeader =
     "case,axis,settings,status,reason,step,dofs,time_error,time_error_max,time_pixels,mesh_error,mesh_error_max,"
     "mesh_pixels,model_error,model_error_max,model_pixels,total_error,total_error_max,total_pixels,error_bound,"
@@ -97,9 +126,7 @@ std::string table_text(const std::vector<const Score*>& scores, const References
                 "isations", "its");
   text += head;
   for (const Score* score : done) text += row(*score, std::ranges::find(members, score) != members.end(), references);
-  for (const Score* score : other)
-    text += "  " + score->run->which.label + (score->run->status == Status::failed ? ": failed: " : ": skipped: ") +
-            score->run->reason + '\n';
+  text += left_out(other);
   for (const Slope& slope : slopes(scores)) {
     char line[120];
     std::snprintf(line, sizeof line, "  %s: order %d, measured %.2f\n", slope.integrator.c_str(), slope.order,
@@ -134,10 +161,6 @@ std::string trade_csv(const std::vector<const Score*>& scores, const Ground& gro
 }
 
 std::vector<Slope> slopes(const std::vector<const Score*>& scores) {
-  struct Series {
-    int order = 0;
-    std::vector<double> steps, errors;
-  };
   std::map<std::string, Series> all;
   for (const Score* score : scores) {
     const CaseRun& run = *score->run;
@@ -149,8 +172,7 @@ std::vector<Slope> slopes(const std::vector<const Score*>& scores) {
   }
   std::vector<Slope> result;
   for (const auto& [integrator, series] : all)
-    if (series.steps.size() >= 2)
-      result.push_back({integrator, series.order, sim::log_slope(series.steps, series.errors)});
+    if (series.steps.size() >= 2) result.push_back({integrator, series.order, finest_slope(series)});
   return result;
 }
 

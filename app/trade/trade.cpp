@@ -92,13 +92,13 @@ double trade_seconds(const TradeOptions& options) {
   return options.quick ? quick : 60 * options.minutes;
 }
 
-Trade::Trade(const Options& options, std::filesystem::path folder, double seconds)
+Trade::Trade(const Options& options, std::filesystem::path folder, double seconds, const Interrupt& interrupt)
     : options_(options),
       folder_(std::move(folder)),
       ground_(make_ground(options)),
       goal_(read_goal(options.trade, ground_.scene.document.scene.time)),
       notebook_(ground_, cases_folder(options, folder_, ground_.scene.identity), seconds,
-                options.quiet ? nullptr : &std::cerr),
+                options.quiet ? nullptr : &std::cerr, interrupt),
       scorer_(ground_),
       search_(ground_, notebook_, scorer_, goal_, folder_) {
   notebook_.on_change([this] { write_csv(); });

@@ -19,7 +19,7 @@ double trade_seconds(const TradeOptions& options);
 class Trade {
  public:
   // Throws SceneError, std::runtime_error (bad goal, a folder that holds another scene's trade), WriteError.
-  Trade(const Options& options, std::filesystem::path folder, double seconds);
+  Trade(const Options& options, std::filesystem::path folder, double seconds, const Interrupt& interrupt);
 
   // Measures, keeping trade.csv up to date. False: interrupted.
   bool measure(const std::optional<Plan>& plan);

@@ -1,6 +1,7 @@
 #include "sim/compare/reference_check.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sim {
 
@@ -14,11 +15,12 @@ ReferenceCheck check_reference(const ReferenceRuns& runs, const SamplePoints& po
     return difference(a, b, points, check.frames).rms;
   };
   check.moved = apart(runs.fine, runs.coarse);
-  check.other_moved = apart(runs.other, runs.other_coarse);
   check.apart = apart(runs.fine, runs.other);
+  const double before = apart(runs.fine, runs.other_coarse);
+  check.other_order = check.apart > 0 ? std::log2(before / check.apart) : 0;
   check.uncertainty = std::max(check.moved, check.apart);
   constexpr double round_off = 1e-9;
-  check.agrees = check.frames > 0 && check.apart <= 2 * (check.moved + check.other_moved) + round_off;
+  check.agrees = check.frames > 0 && check.apart <= std::max(0.75 * before, 2 * check.moved) + round_off;
   return check;
 }
 

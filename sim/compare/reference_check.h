@@ -15,13 +15,15 @@ struct ReferenceRuns {
 
 struct ReferenceCheck {
   double moved = 0;        // rms by which halving the step moves the reference
-  double other_moved = 0;  // ... and the second scheme
-  double apart = 0;        // rms between the two schemes
+  double apart = 0;        // rms between the reference and the second scheme
+  double other_order = 0;  // log2 of how much nearer halving its step has brought that scheme
   double uncertainty = 0;  // of the reference: the larger of moved and apart
-  bool agrees = false;     // the schemes go to one limit: apart <= 2 (moved + other_moved), all before the horizon
-  int frames = 0;          // frames before the horizon
-  double horizon = 0;      // s: up to here positions mean something
-  bool diverges = false;   // the horizon is before the end
+  // The schemes go to one limit: halving its step brings the second a quarter nearer at least, or they are no further
+  // apart than twice what the reference moves.
+  bool agrees = false;
+  int frames = 0;         // frames before the horizon
+  double horizon = 0;     // s: up to here positions mean something
+  bool diverges = false;  // the horizon is before the end
 };
 
 // `meaningless`: a difference [body sizes] from which on positions mean nothing; the horizon is the last frame before
