@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/trade/cli.h"
 
 namespace app {
 namespace {
@@ -100,6 +101,12 @@ void add_picture_options(CLI::App& command, Options& options) {
   command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
 }
 
+void add_trade_output_options(CLI::App& command, Options& options) {
+  command.add_option("-o,--out", options.out, "Folder; out/trade/NAME of the scene file when not given")
+      ->type_name("DIR");
+  command.add_flag("--overwrite", options.overwrite, "Measure anew what an earlier trade left in the folder");
+}
+
 void add_stress_options(CLI::App& command, Options& options) {
   add_scene_options(command, options);
   command.get_option("SCENE")->required(false);
@@ -124,14 +131,15 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
       "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
       "3 numerical failure, 130 interrupted.");
 
-  CLI::App& record = *app.add_subcommand("record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers");
-  CLI::App& run = *app.add_subcommand("run", "Step only: the numbers, no picture");
-  CLI::App& explain = *app.add_subcommand("explain", "What is modelled and what it costs, before a step is taken");
-  for (CLI::App* const command : {&record, &run, &explain}) add_scene_options(*command, options);
-  for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
-  add_picture_options(record, options);
-  CLI::App& stress = *app.add_subcommand("stress", "Stability at the extremes, measured: table and CSV");
-  add_stress_options(stress, options);
+  for (const Command& command : commands()) app.add_subcommand(std::string(command.name), std::string(command.what));
+  const auto command = [&](const char* name) -> CLI::App& { return *app.get_subcommand(name); };
+  for (const char* const name : {"record", "run", "explain", "trade"}) add_scene_options(command(name), options);
+  for (const char* const name : {"record", "run"}) add_output_options(command(name), options);
+  add_picture_options(command("record"), options);
+  add_trade_output_options(command("trade"), options);
+  add_trade_options(command("trade"), options.trade);
+  add_stress_options(command("stress"), options);
+  CLI::App& explain = command("explain");
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
   explain.get_option("SCENE")->required(false);
@@ -145,10 +153,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
     exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
     return std::nullopt;
   }
-  options.command = record.parsed()   ? Command::record
-                    : run.parsed()    ? Command::run
-                    : stress.parsed() ? Command::stress
-                                      : Command::explain;
+  options.command = app.get_subcommands().front()->get_name();
   return options;
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/trade/trade_options.h"
+
 namespace app {
 
 // A key of the scene set from outside: "body.0.material.poisson" = "0.49".
@@ -16,10 +18,8 @@ struct Override {
   std::string origin;  // what messages say it came from: "--set body.0.material.poisson=0.49"
 };
 
-enum class Command { record, run, explain, stress };
-
 struct Options {
-  Command command = Command::record;
+  std::string command = "record";   // a name in app/commands.h
   std::filesystem::path scene;      // the TOML file
   std::filesystem::path settings;   // TOML file whose keys overlay the scene; empty: none
   std::vector<Override> overrides;  // the last one wins
@@ -37,6 +37,7 @@ struct Options {
   bool quick = false;               // stress: a part of the matrix, under a minute
   std::string only;                 // stress: the cases whose name has this in it; empty: all
   bool keys = false;                // explain: print the reference of the keys, no scene
+  TradeOptions trade;
 };
 
 }  // namespace app

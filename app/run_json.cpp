@@ -25,20 +25,6 @@ const char* text(Status status) {
   return "";
 }
 
-const char* text(Command command) {
-  switch (command) {
-    case Command::record:
-      return "record";
-    case Command::run:
-      return "run";
-    case Command::explain:
-      return "explain";
-    case Command::stress:
-      return "stress";
-  }
-  return "";
-}
-
 // Largest memory of this process so far; the system counts in units of 1024 bytes.
 std::int64_t peak_memory_bytes() {
   rusage usage{};
@@ -54,7 +40,7 @@ std::string hexadecimal(std::uint64_t number) {
 
 void put_options(Json& json, const Options& options) {
   json.key("options").open_object();
-  json.member("command", text(options.command)).member("scene", options.scene.string());
+  json.member("command", options.command).member("scene", options.scene.string());
   json.member("settings", options.settings.string());
   json.key("set").open_array();
   for (const Override& override : options.overrides) json.value(override.key + "=" + override.value);

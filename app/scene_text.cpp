@@ -118,4 +118,12 @@ std::string scene_json(const Document& document, const std::filesystem::path& fo
   return line(filled(document, folder), true);
 }
 
+std::string list_toml(const Document& document, std::string_view list, int left_out) {
+  Node root = filled(document, {});
+  const auto found = std::ranges::find(root.entries, list, &Node::name);
+  if (found == root.entries.end()) return "[]";
+  found->entries.erase(found->entries.begin() + left_out);
+  return line(*found, false);
+}
+
 }  // namespace app
