@@ -19,8 +19,8 @@ struct Moment {
   std::int64_t frame = 0;
   int newton = 0;  // iterations of the step that led here
   sim::State state = {};
-  double min_J = 1;                // smallest det F after that step
-  double largest = 0;              // value that a frame so far has shown in colour (app/colour_values.h)
+  double min_J = 1;                     // smallest det F after that step
+  double largest = 0;                   // value that a frame so far has shown in colour (app/colour_values.h)
   std::vector<Energies> energies = {};  // of the frames so far; empty where no picture shows them
 };
 
