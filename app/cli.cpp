@@ -98,7 +98,30 @@ void add_picture_options(CLI::App& command, Options& options) {
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
-  command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
+  command.add_option("--samples", options.samples, "Samples per pixel: 1 is fast and jagged, 8 slow and smooth")
+      ->check(CLI::IsMember({1, 2, 4, 8}))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif")
+      ->type_name("FILE");
+}
+
+void add_expect_options(CLI::App& command, Options& options) {
+  CLI::Option* const expect = command.add_option(
+      "--expect", options.expect, "Compare with the frame_*.png of this folder; exit code 4 where one differs");
+  expect->type_name("DIR")->excludes(command.get_option("--resume"));
+  command
+      .add_option("--expect-difference", options.expect_difference,
+                  "Pixels are equal when no channel differs by more than this, of 255")
+      ->check(CLI::Range(0, 255))
+      ->needs(expect)
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--expect-share", options.expect_share, "Share of the pixels that may differ")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(expect)
+      ->type_name("SHARE")
+      ->capture_default_str();
 }
 
 void add_trade_output_options(CLI::App& command, Options& options) {
@@ -129,13 +152,14 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   app.require_subcommand(1);
   app.footer(
       "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
-      "3 numerical failure, 130 interrupted.");
+      "3 numerical failure, 4 frames differ from --expect, 130 interrupted.");
 
   for (const Command& command : commands()) app.add_subcommand(std::string(command.name), std::string(command.what));
   const auto command = [&](const char* name) -> CLI::App& { return *app.get_subcommand(name); };
   for (const char* const name : {"record", "run", "explain", "trade"}) add_scene_options(command(name), options);
   for (const char* const name : {"record", "run"}) add_output_options(command(name), options);
   add_picture_options(command("record"), options);
+  add_expect_options(command("record"), options);
   add_trade_output_options(command("trade"), options);
   add_trade_options(command("trade"), options.trade);
   add_stress_options(command("stress"), options);

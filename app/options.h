@@ -33,6 +33,10 @@ struct Options {
   int width = 1280, height = 720;   // of a frame, pixels
   int every = 1;                    // draw frames 0, n, 2n, ...
   bool still = false;               // draw the last frame only
+  int samples = 4;                  // per pixel: 1, 2, 4 or 8
+  std::filesystem::path expect;     // folder of stored frames to compare with; empty: none
+  int expect_difference = 8;        // of a channel, 0 to 255: up to it pixels count as equal
+  double expect_share = 0.001;      // of the pixels that may differ by more
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
   bool quick = false;               // stress: a part of the matrix, under a minute
   std::string only;                 // stress: the cases whose name has this in it; empty: all

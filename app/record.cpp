@@ -17,7 +17,11 @@ int record(const Options& options) {
     const std::filesystem::path place = options.video.empty() ? folder.frames() : options.video;
     std::cerr << recorder.frames_drawn() << " frames in " << place.string() << '\n';
   }
-  return conclude(simulation, options, folder, outcome);
+  const int code = conclude(simulation, options, folder, outcome);
+  const std::optional<Expectation>& expectation = recorder.expectation();
+  if (code != kDone || !expectation) return code;
+  if (!options.quiet || !expectation->fulfilled()) std::cerr << expectation->summary() << '\n';
+  return expectation->fulfilled() ? kDone : kFramesDiffer;
 }
 
 }  // namespace app

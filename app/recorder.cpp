@@ -29,7 +29,7 @@ struct Easel {
   std::unique_ptr<render::Context> context = render::make_offscreen_context();
   render::Renderer renderer;
 
-  Easel(int width, int height) : renderer(*context, width, height) {}
+  Easel(int width, int height, int samples) : renderer(*context, width, height, samples) {}
 };
 
 }  // namespace
@@ -39,9 +39,11 @@ Recorder::Recorder(const Simulation& simulation, const RunFolder& folder, const 
       folder_(folder),
       width_(options.width),
       height_(options.height),
+      samples_(options.samples),
       every_(options.every),
       still_(options.still),
       picture_(*simulation.system, simulation.document, double(options.width) / options.height),
+      expectation_(options.expect.empty() ? std::nullopt : std::optional<Expectation>(std::in_place, options, folder)),
       video_(make_video(simulation, options)),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
   if (!video_) folder_.make_folder(folder_.frames());
@@ -64,6 +66,7 @@ void Recorder::finish() {
   const Stopwatch watch;
   stages_.finish();
   if (video_) video_->finish();
+  if (expectation_) expectation_->write_table();
   waiting_ += watch.seconds();
 }
 
@@ -72,7 +75,7 @@ FrameSeconds Recorder::seconds() const {
 }
 
 Recorder::Stages::Draw Recorder::make_draw() const {
-  return [this, easel = std::make_shared<Easel>(width_, height_)](Job job) {
+  return [this, easel = std::make_shared<Easel>(width_, height_, samples_)](Job job) {
     Drawn drawn{job.moment.frame, std::nullopt, std::move(job.checkpoint)};
     if (job.draw) drawn.image = easel->renderer.draw(picture_.frame(job.moment));
     return drawn;
@@ -85,6 +88,7 @@ void Recorder::write(const Drawn& drawn) {
   } else if (drawn.image) {
     write_atomically(folder_.frame(drawn.frame), as_text(render::encode_png(*drawn.image)), false);
   }
+  if (drawn.image && expectation_) expectation_->compare(drawn.frame, *drawn.image);
   if (!drawn.checkpoint.empty()) write_atomically(folder_.state(), drawn.checkpoint, true);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/expectation.h"
 #include "app/frame_sink.h"
 #include "app/options.h"
 #include "app/picture.h"
@@ -27,6 +28,8 @@ class Recorder : public FrameSink {
   void finish() override;
   FrameSeconds seconds() const override;
   int frames_drawn() const { return frames_drawn_; }
+  // How the frames compare with those of --expect; none without it. To be asked after finish().
+  const std::optional<Expectation>& expectation() const { return expectation_; }
 
  private:
   struct Job {
@@ -47,11 +50,12 @@ class Recorder : public FrameSink {
 
   const Simulation& simulation_;
   const RunFolder& folder_;
-  int width_, height_, every_;
+  int width_, height_, samples_, every_;
   bool still_;
   int frames_drawn_ = 0;
   double waiting_ = 0;
   Picture picture_;
+  std::optional<Expectation> expectation_;
   std::unique_ptr<Video> video_;
   Stages stages_;  // last: its threads use all of the above
 };
