@@ -80,17 +80,34 @@ void add_output_options(CLI::App& command, Options& options) {
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }
 
-void add_picture_options(CLI::App& command, Options& options) {
+void add_size_option(CLI::App& command, Options& options, const char* what) {
   command
       .add_option_function<std::string>(
-          "--size", [&options](const std::string& text) { read_size(options, text); },
-          "Size of a frame in pixels [1280x720]")
+          "--size", [&options](const std::string& text) { read_size(options, text); }, what)
       ->type_name("WxH");
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  add_size_option(command, options, "Size of a frame in pixels [1280x720]");
   CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
   command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
+  command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
+  command.add_option("--replay", options.replay, "Draw a session that `ritz view --log` has written")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile)
+      ->excludes("--resume", "--still", "--vtu");
+}
+
+void add_window_options(CLI::App& command, Options& options) {
+  add_size_option(command, options, "Size of the window in pixels [1280x720]");
+  command.add_option("--log", options.log, "Write every input with its step, for ritz record --replay")
+      ->type_name("FILE");
+  command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
+  command.add_option("-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given")
+      ->type_name("DIR");
 }
 
 }  // namespace
@@ -107,10 +124,12 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
 
   CLI::App& record = *app.add_subcommand("record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers");
   CLI::App& run = *app.add_subcommand("run", "Step only: the numbers, no picture");
+  CLI::App& view = *app.add_subcommand("view", "The window: watch, pull, change parameters");
   CLI::App& explain = *app.add_subcommand("explain", "What is modelled and what it costs, before a step is taken");
-  for (CLI::App* const command : {&record, &run, &explain}) add_scene_options(*command, options);
+  for (CLI::App* const command : {&record, &run, &view, &explain}) add_scene_options(*command, options);
   for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
   add_picture_options(record, options);
+  add_window_options(view, options);
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
   explain.get_option("SCENE")->required(false);
@@ -124,7 +143,10 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
     exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
     return std::nullopt;
   }
-  options.command = record.parsed() ? Command::record : run.parsed() ? Command::run : Command::explain;
+  options.command = record.parsed() ? Command::record
+                    : run.parsed()  ? Command::run
+                    : view.parsed() ? Command::view
+                                    : Command::explain;
   return options;
 }
 

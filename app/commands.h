@@ -14,6 +14,7 @@ constexpr int kInterrupted = 130;     // what was written stays valid
 
 int record(const Options& options);   // step and draw
 int run(const Options& options);      // step only: the numbers
+int view(const Options& options);     // the window
 int explain(const Options& options);  // what is modelled and what it costs, before a step is taken
 
 }  // namespace app

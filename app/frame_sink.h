@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/report.h"
 #include "sim/state.h"
 
 namespace app {
@@ -13,6 +14,7 @@ struct Moment {
   std::int64_t frame = 0;
   int newton = 0;  // iterations of the step that led here
   sim::State state;
+  sim::StepReport report = {};  // of that step
 };
 
 // Where the seconds of drawing went; zero where nothing is drawn.

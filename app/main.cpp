@@ -17,6 +17,8 @@ int dispatch(const app::Options& options) {
       return app::record(options);
     case app::Command::run:
       return app::run(options);
+    case app::Command::view:
+      return app::view(options);
     case app::Command::explain:
       return app::explain(options);
   }

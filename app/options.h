@@ -16,7 +16,7 @@ struct Override {
   std::string origin;  // what messages say it came from: "--set body.0.material.poisson=0.49"
 };
 
-enum class Command { record, run, explain };
+enum class Command { record, run, view, explain };
 
 struct Options {
   Command command = Command::record;
@@ -34,6 +34,9 @@ struct Options {
   int every = 1;                    // draw frames 0, n, 2n, ...
   bool still = false;               // draw the last frame only
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
+  std::filesystem::path replay;     // record: the session to draw again; empty: none
+  bool panel = false;               // record: the panel is drawn into the frames
+  std::filesystem::path log;        // view: where the session is written; empty: nowhere
   bool keys = false;                // explain: print the reference of the keys, no scene
 };
 

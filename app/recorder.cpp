@@ -5,6 +5,7 @@
 #include "app/output_file.h"
 #include "app/stopwatch.h"
 #include "render/context.h"
+#include "render/gui.h"
 #include "render/png.h"
 #include "render/renderer.h"
 
@@ -24,39 +25,74 @@ std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& o
   return std::make_unique<Video>(options.video, format, options.overwrite);
 }
 
-// The drawing thread owns its context and all that is in it; in the order of their making.
-struct Easel {
-  std::unique_ptr<render::Context> context = render::make_offscreen_context();
-  render::Renderer renderer;
-
-  Easel(int width, int height) : renderer(*context, width, height) {}
-};
-
 }  // namespace
 
-Recorder::Recorder(const Simulation& simulation, const RunFolder& folder, const Options& options)
-    : simulation_(simulation),
-      folder_(folder),
+// The drawing thread owns its context and all that is in it; in the order of their making.
+struct Recorder::Easel {
+  Easel(int width, int height, bool with_panel) : renderer(*context, width, height) {
+    if (with_panel) gui.emplace(*context, Panel::text_size(width, height));
+  }
+  render::Image draw(const Job& job, int width, int height);
+
+  std::unique_ptr<render::Context> context = render::make_offscreen_context();
+  render::Renderer renderer;
+  std::optional<render::Gui> gui;
+  Panel panel;
+};
+
+render::Image Recorder::Easel::draw(const Job& job, int width, int height) {
+  const Sight& sight = *job.sight;
+  renderer.paint(sight.picture.frame(job.moment));
+  if (gui) {
+    const std::int64_t step = job.moment.state.step;
+    const sim::System& system = *sight.simulation->system;
+    PanelState state{sight.simulation->document, system, sight.waiting, job.samples, system.time(step), step};
+    state.clock = false;
+    gui->draw(width, height, [&] { panel.draw(state, width, height); });
+  }
+  return renderer.read();
+}
+
+Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options)
+    : folder_(folder),
       width_(options.width),
       height_(options.height),
       every_(options.every),
+      last_frame_(simulation->last_frame()),
       still_(options.still),
-      picture_(*simulation.system, simulation.document, double(options.width) / options.height),
-      video_(make_video(simulation, options)),
+      panel_(options.panel),
+      video_(make_video(*simulation, options)),
+      sight_(make_sight(std::move(simulation), {})),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
   if (!video_) folder_.make_folder(folder_.frames());
 }
 
+std::shared_ptr<const Recorder::Sight> Recorder::make_sight(std::shared_ptr<const Simulation> simulation,
+                                                            std::vector<Override> waiting) const {
+  Picture picture(*simulation->system, simulation->document, double(width_) / height_);
+  return std::make_shared<const Sight>(Sight{std::move(simulation), std::move(picture), std::move(waiting)});
+}
+
+void Recorder::show(std::shared_ptr<const Simulation> simulation, std::vector<Override> waiting) {
+  sight_ = make_sight(std::move(simulation), std::move(waiting));
+}
+
 bool Recorder::is_drawn(std::int64_t frame) const {
-  return still_ ? frame == simulation_.last_frame() : frame % every_ == 0;
+  return still_ ? frame == last_frame_ : frame % every_ == 0;
 }
 
 void Recorder::add(Moment moment, std::string checkpoint) {
+  if (panel_ && moment.frame > 0) {
+    const Simulation& now = *sight_->simulation;
+    const double t = static_cast<double>(moment.frame) / now.document.scene.time.fps;
+    monitor_.add(sample_of(t, *now.system, moment.state, moment.report));
+  }
   const bool draw = is_drawn(moment.frame);
   if (!draw && checkpoint.empty()) return;
   if (draw) ++frames_drawn_;
   const Stopwatch watch;
-  stages_.push({std::move(moment), draw, std::move(checkpoint)});
+  stages_.push(
+      {std::move(moment), draw, std::move(checkpoint), sight_, draw ? monitor_.samples() : std::vector<Sample>()});
   waiting_ += watch.seconds();
 }
 
@@ -72,9 +108,9 @@ FrameSeconds Recorder::seconds() const {
 }
 
 Recorder::Stages::Draw Recorder::make_draw() const {
-  return [this, easel = std::make_shared<Easel>(width_, height_)](Job job) {
-    Drawn drawn{job.moment.frame, std::nullopt, std::move(job.checkpoint)};
-    if (job.draw) drawn.image = easel->renderer.draw(picture_.frame(job.moment));
+  return [this, easel = std::make_shared<Easel>(width_, height_, panel_)](Job job) {
+    Drawn drawn{job.moment.frame, std::nullopt, job.checkpoint};
+    if (job.draw) drawn.image = easel->draw(job, width_, height_);
     return drawn;
   };
 }

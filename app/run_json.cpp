@@ -2,8 +2,7 @@
 
 #include <sys/resource.h>
 
-#include <cstdio>
-
+#include "app/hexadecimal.h"
 #include "app/json.h"
 #include "app/scene_text.h"
 #include "app/version.h"
@@ -31,6 +30,8 @@ const char* text(Command command) {
       return "record";
     case Command::run:
       return "run";
+    case Command::view:
+      return "view";
     case Command::explain:
       return "explain";
   }
@@ -44,12 +45,6 @@ std::int64_t peak_memory_bytes() {
   return std::int64_t{usage.ru_maxrss} * 1024;
 }
 
-std::string hexadecimal(std::uint64_t number) {
-  char digits[20];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(number));
-  return digits;
-}
-
 void put_options(Json& json, const Options& options) {
   json.key("options").open_object();
   json.member("command", text(options.command)).member("scene", options.scene.string());
@@ -61,6 +56,7 @@ void put_options(Json& json, const Options& options) {
   json.member("width", options.width).member("height", options.height);
   json.member("every", options.every).member("still", options.still);
   json.member("video", options.video.string()).member("vtu", options.vtu);
+  json.member("panel", options.panel).member("replay", options.replay.string());
   json.close_object();
 }
 

@@ -40,7 +40,7 @@ class Runner {
   // The initial state, of a run that was not resumed.
   void begin() {
     log_.start(state());
-    frame_reached(0);
+    frame_reached({});
   }
 
   void go(std::int64_t last_step) {
@@ -67,7 +67,7 @@ class Runner {
     add_up(report);
     log_.step(state(), report);
     progress_.update(state().step, Progress::Clock::now());
-    if (state().step % system_.steps_per_frame() == 0) frame_reached(report.newton);
+    if (state().step % system_.steps_per_frame() == 0) frame_reached(report);
     return true;
   }
 
@@ -79,7 +79,7 @@ class Runner {
     totals.min_J = std::min(totals.min_J, report.min_J);
   }
 
-  void frame_reached(int newton) {
+  void frame_reached(const sim::StepReport& report) {
     const std::int64_t frame = state().step / system_.steps_per_frame();
     if (vtu_every_ > 0 && frame % vtu_every_ == 0) {
       write_atomically(folder_.vtu(frame), vtu_text(system_, state()), false);
@@ -89,7 +89,7 @@ class Runner {
       log_.sync();
       checkpoint = encode(outcome_.run);
     }
-    sink_.add({frame, newton, state()}, std::move(checkpoint));
+    sink_.add({frame, report.newton, state(), report}, std::move(checkpoint));
   }
 
   // Everything is on the disk before state.bin says that the run has come this far.

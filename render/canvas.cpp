@@ -155,4 +155,10 @@ Image Canvas::read() const {
   return image;
 }
 
+void Canvas::copy_to_default(int width, int height) const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.name());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
 }  // namespace render

@@ -28,6 +28,8 @@ class Canvas {
   void resolve();
   // The picture, read back.
   Image read() const;
+  // The picture, onto the default framebuffer of the context, which is of this size.
+  void copy_to_default(int width, int height) const;
 
  private:
   void make_region(int width, int height);

@@ -199,6 +199,21 @@ Renderer::~Renderer() {
 }
 
 Image Renderer::draw(const Frame& frame) {
+  paint(frame);
+  return read();
+}
+
+Image Renderer::read() const {
+  parts_->context.make_current();
+  return parts_->canvas.read();
+}
+
+void Renderer::present() const {
+  parts_->context.make_current();
+  parts_->canvas.copy_to_default(parts_->context.width(), parts_->context.height());
+}
+
+void Renderer::paint(const Frame& frame) {
   Parts& p = *parts_;
   check(frame);
   const float aspect = static_cast<float>(p.canvas.width()) / static_cast<float>(p.canvas.height());
@@ -218,7 +233,6 @@ Image Renderer::draw(const Frame& frame) {
     p.canvas.resolve();
   }
   p.overlay.draw(frame, view);
-  return p.canvas.read();
 }
 
 }  // namespace render

@@ -25,6 +25,12 @@ class Renderer {
   // a camera without a direction.
   Image draw(const Frame& frame);
 
+  // The same in three parts. paint leaves the picture as the framebuffer that is drawn into, for what is to stand over
+  // it (a Gui); read gives its pixels; present copies it to the default framebuffer of the context, a window's.
+  void paint(const Frame& frame);
+  Image read() const;
+  void present() const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
