@@ -12,6 +12,19 @@
 namespace app {
 namespace {
 
+// Two pictures of the same height, side by side.
+render::Image beside(const render::Image& left, const render::Image& right) {
+  render::Image both{left.width + right.width, left.height, {}};
+  both.rgba.reserve(left.rgba.size() + right.rgba.size());
+  for (int y = 0; y < left.height; ++y) {
+    for (const render::Image* image : {&left, &right}) {
+      const auto row = image->rgba.begin() + std::ptrdiff_t{4} * image->width * y;
+      both.rgba.insert(both.rgba.end(), row, row + std::ptrdiff_t{4} * image->width);
+    }
+  }
+  return both;
+}
+
 std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& options) {
   if (options.video.empty()) return nullptr;
   const int fps = simulation.document.scene.time.fps;
@@ -29,28 +42,28 @@ std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& o
 
 // The drawing thread owns its context and all that is in it; in the order of their making.
 struct Recorder::Easel {
-  Easel(int width, int height, bool with_panel) : renderer(*context, width, height) {
-    if (with_panel) gui.emplace(*context, Panel::text_size(width, height));
+  Easel(int width_, int height_, int panel_width_)
+      : width(width_), height(height_), panel_width(panel_width_), renderer(*context, width - panel_width, height) {
+    if (panel_width > 0) gui.emplace(*context, Panel::text_size(width, height));
   }
-  render::Image draw(const Job& job, int width, int height);
+  render::Image draw(const Job& job);
 
+  int width, height, panel_width;  // of the frame; the panel stands at its left
   std::unique_ptr<render::Context> context = render::make_offscreen_context();
   render::Renderer renderer;
   std::optional<render::Gui> gui;
   Panel panel;
 };
 
-render::Image Recorder::Easel::draw(const Job& job, int width, int height) {
+render::Image Recorder::Easel::draw(const Job& job) {
   const Sight& sight = *job.sight;
-  renderer.paint(sight.picture.frame(job.moment));
-  if (gui) {
-    const std::int64_t step = job.moment.state.step;
-    const sim::System& system = *sight.simulation->system;
-    PanelState state{sight.simulation->document, system, sight.waiting, job.samples, system.time(step), step};
-    state.clock = false;
-    gui->draw(width, height, [&] { panel.draw(state, width, height); });
-  }
-  return renderer.read();
+  render::Image picture = renderer.draw(sight.picture.frame(job.moment));
+  if (!gui) return picture;
+  const std::int64_t step = job.moment.state.step;
+  const sim::System& system = *sight.simulation->system;
+  PanelState state{sight.simulation->document, system, sight.waiting, job.samples, system.time(step), step};
+  state.clock = false;
+  return beside(gui->picture(panel_width, height, [&] { panel.draw(state, panel_width, height); }), picture);
 }
 
 Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options)
@@ -60,7 +73,7 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
       every_(options.every),
       last_frame_(simulation->last_frame()),
       still_(options.still),
-      panel_(options.panel),
+      panel_width_(options.panel ? Panel::width(options.width, options.height) : 0),
       video_(make_video(*simulation, options)),
       sight_(make_sight(std::move(simulation), {})),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
@@ -69,7 +82,7 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
 
 std::shared_ptr<const Recorder::Sight> Recorder::make_sight(std::shared_ptr<const Simulation> simulation,
                                                             std::vector<Override> waiting) const {
-  Picture picture(*simulation->system, simulation->document, double(width_) / height_);
+  Picture picture(*simulation->system, simulation->document, double(width_ - panel_width_) / height_);
   return std::make_shared<const Sight>(Sight{std::move(simulation), std::move(picture), std::move(waiting)});
 }
 
@@ -82,7 +95,7 @@ bool Recorder::is_drawn(std::int64_t frame) const {
 }
 
 void Recorder::add(Moment moment, std::string checkpoint) {
-  if (panel_ && moment.frame > 0) {
+  if (panel_width_ > 0 && moment.frame > 0) {
     const Simulation& now = *sight_->simulation;
     const double t = static_cast<double>(moment.frame) / now.document.scene.time.fps;
     monitor_.add(sample_of(t, *now.system, moment.state, moment.report));
@@ -108,9 +121,9 @@ FrameSeconds Recorder::seconds() const {
 }
 
 Recorder::Stages::Draw Recorder::make_draw() const {
-  return [this, easel = std::make_shared<Easel>(width_, height_, panel_)](Job job) {
+  return [this, easel = std::make_shared<Easel>(width_, height_, panel_width_)](Job job) {
     Drawn drawn{job.moment.frame, std::nullopt, job.checkpoint};
-    if (job.draw) drawn.image = easel->draw(job, width_, height_);
+    if (job.draw) drawn.image = easel->draw(job);
     return drawn;
   };
 }

@@ -62,7 +62,8 @@ class Recorder : public FrameSink {
   const RunFolder& folder_;
   int width_, height_, every_;
   std::int64_t last_frame_;
-  bool still_, panel_;
+  bool still_;
+  int panel_width_;  // pixels; 0: no panel
   int frames_drawn_ = 0;
   double waiting_ = 0;
   Monitor monitor_;  // frame by frame, for the panel's plots

@@ -28,8 +28,9 @@ class Canvas {
   void resolve();
   // The picture, read back.
   Image read() const;
-  // The picture, onto the default framebuffer of the context, which is of this size.
-  void copy_to_default(int width, int height) const;
+  // The picture, onto the default framebuffer of the context with its lower left corner at (x, 0); that one is bound
+  // then.
+  void copy_to_default(int x) const;
 
  private:
   void make_region(int width, int height);

@@ -1,4 +1,4 @@
-// Widgets of Dear ImGui over a picture.
+// Widgets of Dear ImGui, beside or over a picture.
 #pragma once
 
 #include <imgui.h>
@@ -9,6 +9,7 @@
 #include "render/context.h"
 #include "render/draw_data.h"
 #include "render/gl.h"
+#include "render/image.h"
 
 namespace render {
 
@@ -28,6 +29,10 @@ class Gui {
 
   // Calls `widgets` in a frame of Dear ImGui and draws what they leave into the bound framebuffer, of this size.
   void draw(int width, int height, const std::function<void()>& widgets);
+  // The same into a picture, on black.
+  Image picture(int width, int height, const std::function<void()>& widgets);
+  // The pixels of the bound framebuffer, of this size.
+  Image read(int width, int height) const;
 
   // Calls f with the context in use.
   void use(const std::function<void()>& f) const;
@@ -39,6 +44,8 @@ class Gui {
   std::optional<DrawDataPainter> painter_;
   std::function<void(int, int)> feed_;
   std::function<void()> stop_;
+  GlObject target_texture_, target_;  // of picture
+  int target_width_ = 0, target_height_ = 0;
   bool settled_ = false;  // sizes that Dear ImGui learns from a first frame are known
 };
 

@@ -208,9 +208,9 @@ Image Renderer::read() const {
   return parts_->canvas.read();
 }
 
-void Renderer::present() const {
+void Renderer::present(int x) const {
   parts_->context.make_current();
-  parts_->canvas.copy_to_default(parts_->context.width(), parts_->context.height());
+  parts_->canvas.copy_to_default(x);
 }
 
 void Renderer::paint(const Frame& frame) {

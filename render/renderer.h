@@ -25,11 +25,11 @@ class Renderer {
   // a camera without a direction.
   Image draw(const Frame& frame);
 
-  // The same in three parts. paint leaves the picture as the framebuffer that is drawn into, for what is to stand over
-  // it (a Gui); read gives its pixels; present copies it to the default framebuffer of the context, a window's.
+  // The same in two parts: paint, then read the pixels, or copy them to the default framebuffer of the context (a
+  // window's), `x` pixels from its left edge. That framebuffer is bound then, for what stands beside the picture.
   void paint(const Frame& frame);
   Image read() const;
-  void present() const;
+  void present(int x) const;
 
  private:
   struct Parts;

@@ -58,14 +58,14 @@ float Panel::text_size(int width, int height) {
   return std::max(11.0F, std::round(0.021F * shorter));
 }
 
-float Panel::width(int width, int height) {
-  return std::min(24 * text_size(width, height), 0.5F * static_cast<float>(width));
+int Panel::width(int width, int height) {
+  return std::min(static_cast<int>(24 * text_size(width, height)), width / 2);
 }
 
 PanelRequests Panel::draw(const PanelState& state, int width, int height) {
   PanelRequests requests;
   ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({Panel::width(width, height), static_cast<float>(height)});
+  ImGui::SetNextWindowSize({static_cast<float>(width), static_cast<float>(height)});
   ImGui::Begin("panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);

@@ -54,11 +54,12 @@ struct PanelRequests {
 
 class Panel {
  public:
-  // Pixels from the left edge of a picture of this size that the panel takes.
-  static float width(int picture_width, int picture_height);
+  // Pixels at the left edge of a window, or of a frame, of this size that the panel takes.
+  static int width(int whole_width, int whole_height);
   // Height of its letters, pixels.
-  static float text_size(int picture_width, int picture_height);
+  static float text_size(int whole_width, int whole_height);
 
+  // At the left edge, of this size.
   PanelRequests draw(const PanelState& state, int width, int height);
 
  private:

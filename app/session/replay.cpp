@@ -120,7 +120,6 @@ int replay(const Options& options) {
   const RunFolder folder = open_run_folder(used);
   folder.make_folder(folder.path());
   folder.clear();
-  write_atomically(folder.session(), read_contents(options.replay), false);
   Outcome outcome;
   Recorder recorder(session.simulation(), folder, used);
   Replayer(file, used, session, recorder, outcome).go();
@@ -129,6 +128,7 @@ int replay(const Options& options) {
   last.build_seconds = building;
   outcome.run.scene = scene_identity(last.document);
   outcome.total = watch.seconds();
+  write_atomically(folder.session(), read_contents(options.replay), false);
   write_state_file(folder.state(), outcome.run);
   write_atomically(folder.run_json(), run_json(last, used, folder, outcome, recorder.seconds()), true);
   if (!options.quiet) std::cerr << recorder.frames_drawn() << " frames in " << folder.frames().string() << '\n';

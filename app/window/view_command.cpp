@@ -26,32 +26,34 @@ class Screen {
 
   render::Window& window() { return window_; }
 
-  bool takes_keys() const {
-    bool takes = false;
-    gui_.use([&] { takes = ImGui::GetIO().WantTextInput; });
-    return takes;
-  }
-  bool takes_mouse(const Workbench& bench, float x) const {
-    bool takes = bench.panel_shown() && x < Panel::width(window_.width(), window_.height());
-    gui_.use([&] { takes = takes || ImGui::GetIO().WantCaptureMouse; });
-    return takes;
+  // An event of the window, in the picture or for the panel.
+  void pass(render::WindowEvent event, Workbench& bench) const {
+    const int width = window_.width(), height = window_.height(), panel = bench.panel_width(width, height);
+    if (width - panel < 1 || height < 1) return;
+    event.x -= static_cast<float>(panel);
+    bool taken = event.x < 0;
+    gui_.use([&] {
+      const bool key = event.kind == render::WindowEvent::Kind::key;
+      taken = key ? ImGui::GetIO().WantTextInput : taken || ImGui::GetIO().WantCaptureMouse;
+    });
+    bench.handle(event, width - panel, height, taken);
   }
 
   void draw(Workbench& bench) {
-    const int width = window_.width(), height = window_.height();
-    if (width < 1 || height < 1) return;  // minimised
-    if (width != width_ || height != height_) {
+    const int width = window_.width(), height = window_.height(), panel = bench.panel_width(width, height);
+    if (width - panel < 1 || height < 1) return;  // minimised
+    if (width - panel != width_ || height != height_) {
       renderer_ = nullptr;
-      renderer_ = std::make_unique<render::Renderer>(window_, width, height);
-      width_ = width;
+      renderer_ = std::make_unique<render::Renderer>(window_, width - panel, height);
+      width_ = width - panel;
       height_ = height;
     }
-    renderer_->paint(bench.frame(width, height));
+    renderer_->paint(bench.frame(width_, height_));
+    renderer_->present(panel);
     gui_.draw(width, height, [&] { bench.draw_panel(width, height); });
     if (const auto file = bench.take_screenshot()) {
-      write_atomically(*file, as_text(render::encode_png(renderer_->read())), false);
+      write_atomically(*file, as_text(render::encode_png(gui_.read(width, height))), false);
     }
-    renderer_->present();
     window_.swap();
   }
 
@@ -59,7 +61,7 @@ class Screen {
   render::Window window_;
   render::Gui gui_;
   std::unique_ptr<render::Renderer> renderer_;
-  int width_ = 0, height_ = 0;
+  int width_ = 0, height_ = 0;  // of the picture
 };
 
 // Sleeps while nothing moves; a few pictures follow every event, so that widgets settle.
@@ -72,13 +74,7 @@ void run(Workbench& bench, Screen& screen) {
   while (!bench.quits() && !screen.window().wants_to_close() && !interrupt.requested()) {
     const bool busy = bench.playing() || to_draw > 0;
     const auto events = screen.window().events(busy ? 0 : blink);
-    const int width = screen.window().width(), height = screen.window().height();
-    for (const render::WindowEvent& event : events) {
-      const bool key = event.kind == render::WindowEvent::Kind::key;
-      if (width > 0 && height > 0) {
-        bench.handle(event, width, height, key ? screen.takes_keys() : screen.takes_mouse(bench, event.x));
-      }
-    }
+    for (const render::WindowEvent& event : events) screen.pass(event, bench);
     if (!events.empty()) to_draw = settling;
     bench.advance(watch.seconds());
     watch = {};

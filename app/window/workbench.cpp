@@ -246,7 +246,7 @@ void Workbench::draw_panel(int width, int height) {
                          playing_,
                          pace_.factor(),
                          message_};
-  const PanelRequests requests = panel_.draw(state, width, height);
+  const PanelRequests requests = panel_.draw(state, panel_width(width, height), height);
   for (const SetKey& change : requests.changes) apply(change);
   for (const Action action : requests.actions) act(action);
 }

@@ -25,6 +25,8 @@ class Workbench {
   // Loads the scene and begins the log that the options name. Throws SceneError, WriteError.
   explicit Workbench(Options options);
 
+  // Pixels at the left of a window of this size that the picture does not have.
+  int panel_width(int width, int height) const { return panel_shown_ ? Panel::width(width, height) : 0; }
   // One thing that the user did, in a picture of this size. `over_widgets`: the mouse, or the typing, is the panel's.
   void handle(const render::WindowEvent& event, int width, int height, bool over_widgets);
   void act(Action action);
@@ -32,14 +34,13 @@ class Workbench {
   void advance(double wall);
   // What is to be seen in a picture of this size.
   const render::Frame& frame(int width, int height);
-  // The widgets, in the frame of Dear ImGui that is under way; does what they ask for.
+  // The widgets of a window of this size, in the frame of Dear ImGui that is under way; does what they ask for.
   void draw_panel(int width, int height);
   // Ends the log.
   void finish();
 
   bool playing() const { return playing_; }
   bool quits() const { return quits_; }
-  bool panel_shown() const { return panel_shown_; }
   const Session& session() const { return *session_; }
   const std::string& message() const { return message_; }
   // Where the screenshot that was asked for is to go, once.
