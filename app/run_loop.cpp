@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/frame_history.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/run_json.h"
@@ -32,6 +33,7 @@ class Runner {
         stepper_(sim::make_stepper(system_, options.threads)),
         log_(system_, simulation.document.scene.probes, folder,
              start.resumed ? std::optional(start.run.state.step) : std::nullopt),
+        history_(simulation, folder, start),
         progress_(std::cerr, progress_style(options.quiet),
                   {start.run.state.step, simulation.last_step(), system_.step_seconds()}, Progress::Clock::now()) {
     if (vtu_every_ > 0) folder_.make_folder(folder_.vtu_folder());
@@ -84,12 +86,15 @@ class Runner {
     if (vtu_every_ > 0 && frame % vtu_every_ == 0) {
       write_atomically(folder_.vtu(frame), vtu_text(system_, state()), false);
     }
+    history_.add(state(), outcome_.run.totals);
     std::string checkpoint;
     if (frame > 0 && frame < last_frame_ && frame % fps_ == 0) {  // once a simulated second
       log_.sync();
       checkpoint = encode(outcome_.run);
     }
-    sink_.add({frame, report.newton, state(), report}, std::move(checkpoint));
+    Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J, .report = report};
+    history_.fill(outcome_.run.totals, moment);
+    sink_.add(std::move(moment), std::move(checkpoint));
   }
 
   // Everything is on the disk before state.bin says that the run has come this far.
@@ -121,6 +126,7 @@ class Runner {
   Outcome& outcome_;
   std::unique_ptr<sim::Stepper> stepper_;
   RunLog log_;
+  FrameHistory history_;
   Progress progress_;
   Interrupt interrupt_;
 };

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/files/contents.h"
+#include "app/frame_history.h"
 #include "app/hexadecimal.h"
 #include "app/interrupt.h"
 #include "app/output_file.h"
@@ -34,6 +35,7 @@ class Replayer {
         recorder_(recorder),
         outcome_(outcome),
         shown_(session.simulation()),
+        history_(*shown_),
         progress_(std::cerr, progress_style(options.quiet), {0, file.steps, shown_->system->step_seconds()},
                   Progress::Clock::now()) {}
 
@@ -86,8 +88,19 @@ class Replayer {
   }
 
   void add_frame(const sim::StepReport& report) {
-    if (shown_ != session_.simulation()) recorder_.show(shown_ = session_.simulation(), session_.waiting());
-    recorder_.add({frames_++, report.newton, session_.state(), report}, {});
+    if (shown_ != session_.simulation()) {
+      shown_ = session_.simulation();
+      history_.follow(*shown_);
+      recorder_.show(shown_, session_.waiting());
+    }
+    history_.add(session_.state(), outcome_.run.totals);
+    Moment moment{.frame = frames_++,
+                  .newton = report.newton,
+                  .state = session_.state(),
+                  .min_J = report.min_J,
+                  .report = report};
+    history_.fill(outcome_.run.totals, moment);
+    recorder_.add(std::move(moment), {});
   }
 
   const SessionFile& file_;
@@ -95,6 +108,7 @@ class Replayer {
   Recorder& recorder_;
   Outcome& outcome_;
   std::shared_ptr<const Simulation> shown_;
+  FrameHistory history_;
   std::size_t next_ = 0;
   std::int64_t frames_ = 0;
   Progress progress_;

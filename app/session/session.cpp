@@ -109,6 +109,13 @@ void Session::handle(const MoveCamera& input) {
     overrides_ = with(std::move(overrides_), override_of(path, value_text(key, value, document_.scene.dimension)));
   };
   const auto numbers = [](const sim::Vec3& v) { return std::vector<double>{v.begin(), v.end()}; };
+  // A camera that is moved by hand follows no script any more.
+  if (document_.camera.orbit != 0) take("camera.orbit", 0.0);
+  if (!document_.camera.follow.empty()) take("camera.follow", std::string());
+  if (!document_.camera.keyframes.empty()) {
+    document_.camera.keyframes.clear();
+    overrides_ = with(std::move(overrides_), override_of("camera.keyframes", "[]"));
+  }
   if (input.eye && document_.scene.dimension == 3) take("camera.eye", numbers(*input.eye));
   if (input.target) take("camera.target", numbers(*input.target));
   if (input.height && document_.scene.dimension == 2) take("camera.height", *input.height);

@@ -54,7 +54,9 @@ std::string failure_text(const sim::System& system, const sim::StepReport& repor
 
 }  // namespace
 
-Workbench::Workbench(Options options) : options_(std::move(options)), session_(std::make_unique<Session>(options_)) {
+Workbench::Workbench(Options options)
+    : options_(std::move(options)), session_(std::make_unique<Session>(options_)), frames_(*session_->simulation()) {
+  count_frame();
   if (options_.log.empty()) return;
   if (std::filesystem::exists(options_.log) && !options_.overwrite) {
     throw WriteError(options_.log.string() + ": exists already; choose another file for --log or give --overwrite");
@@ -144,10 +146,18 @@ bool Workbench::step() {
     return false;
   }
   message_.clear();
-  newton_ = report.newton;
+  report_ = report;
   time_ += simulation->system->step_seconds();
   monitor_.add(sample_of(time_, *session_->simulation()->system, session_->state(), report));
+  count_frame();
   return true;
+}
+
+// What a frame shows of those before it is told at the frames' own times, as in a recording.
+void Workbench::count_frame() {
+  const Simulation& simulation = *session_->simulation();
+  frames_.follow(simulation);
+  if (session_->state().step % simulation.system->steps_per_frame() == 0) frames_.add(session_->state(), totals_);
 }
 
 void Workbench::apply(const Input& input) {
@@ -159,6 +169,7 @@ void Workbench::apply(const Input& input) {
     return;
   }
   message_.clear();
+  frames_.follow(*session_->simulation());
   if (log_) log_->write(event);
   const auto* move = std::get_if<MoveCamera>(&input);
   if (move == nullptr) return;
@@ -181,6 +192,9 @@ void Workbench::reload() {
   mouse_.drop();
   pull_to_.reset();
   time_ = 0;
+  totals_ = {};
+  frames_ = FrameHistory(*session_->simulation());
+  count_frame();
   message_ = "Read again: " + options_.scene.string();
 }
 
@@ -221,7 +235,13 @@ const render::Frame& Workbench::frame(int width, int height) {
   refresh_picture(static_cast<double>(width) / height);
   const sim::System& system = *session_->simulation()->system;
   const sim::State& state = session_->state();
-  frame_ = picture_->frame({state.step / system.steps_per_frame(), newton_, state});
+  Moment moment{.frame = state.step / system.steps_per_frame(),
+                .newton = report_.newton,
+                .state = state,
+                .min_J = report_.min_J,
+                .report = report_};
+  frames_.fill(totals_, moment);
+  frame_ = picture_->frame(moment);
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
   if (grip && session_->pull()) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/frame_history.h"
 #include "app/options.h"
 #include "app/panel/panel.h"
 #include "app/picture.h"
@@ -49,6 +50,7 @@ class Workbench {
  private:
   void apply(const Input& input);
   bool step();
+  void count_frame();
   void reload();
   void save();
   void refresh_picture(double aspect);
@@ -65,9 +67,11 @@ class Workbench {
   bool playing_ = false, quits_ = false, panel_shown_ = true, help_ = false, screenshot_ = false;
   std::optional<PullTo> pull_to_;  // applied before the next step: a mouse moves more often than that
   double time_ = 0;                // s simulated since the session began
-  int newton_ = 0;                 // of the last step
+  sim::StepReport report_;         // of the last step
   std::string message_;
 
+  FrameHistory frames_;  // and what they are shown with
+  Totals totals_;
   std::shared_ptr<const Simulation> shown_;  // what the picture was made for
   double aspect_ = 0;
   std::unique_ptr<Picture> picture_;
