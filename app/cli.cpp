@@ -88,12 +88,15 @@ void add_output_options(CLI::App& command, Options& options) {
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }
 
-void add_picture_options(CLI::App& command, Options& options) {
+void add_size_option(CLI::App& command, Options& options, const char* what) {
   command
       .add_option_function<std::string>(
-          "--size", [&options](const std::string& text) { read_size(options, text); },
-          "Size of a frame in pixels [1280x720]")
+          "--size", [&options](const std::string& text) { read_size(options, text); }, what)
       ->type_name("WxH");
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  add_size_option(command, options, "Size of a frame in pixels [1280x720]");
   CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
@@ -104,6 +107,11 @@ void add_picture_options(CLI::App& command, Options& options) {
       ->capture_default_str();
   command.add_option("--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif")
       ->type_name("FILE");
+  command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
+  command.add_option("--replay", options.replay, "Draw a session that `ritz view --log` has written")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile)
+      ->excludes("--resume", "--still", "--vtu");
 }
 
 void add_expect_options(CLI::App& command, Options& options) {
@@ -142,6 +150,15 @@ void add_stress_options(CLI::App& command, Options& options) {
       ->type_name("PATTERN");
 }
 
+void add_window_options(CLI::App& command, Options& options) {
+  add_size_option(command, options, "Size of the window in pixels [1280x720]");
+  command.add_option("--log", options.log, "Write every input with its step, for ritz record --replay")
+      ->type_name("FILE");
+  command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
+  command.add_option("-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given")
+      ->type_name("DIR");
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(const std::vector<std::string>& arguments, std::ostream& out,
@@ -156,9 +173,11 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
 
   for (const Command& command : commands()) app.add_subcommand(std::string(command.name), std::string(command.what));
   const auto command = [&](const char* name) -> CLI::App& { return *app.get_subcommand(name); };
-  for (const char* const name : {"record", "run", "explain", "trade"}) add_scene_options(command(name), options);
+  for (const char* const name : {"record", "run", "view", "explain", "trade"})
+    add_scene_options(command(name), options);
   for (const char* const name : {"record", "run"}) add_output_options(command(name), options);
   add_picture_options(command("record"), options);
+  add_window_options(command("view"), options);
   add_expect_options(command("record"), options);
   add_trade_output_options(command("trade"), options);
   add_trade_options(command("trade"), options.trade);

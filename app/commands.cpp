@@ -10,6 +10,7 @@ std::span<const Command> commands() {
   static constexpr Command table[] = {
       {"record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers", record},
       {"run", "Step only: the numbers, no picture", run},
+      {"view", "The window: watch, pull, change parameters", view},
       {"explain", "What is modelled and what it costs, before a step is taken", explain},
       {"trade", "Speed against accuracy, measured: table, plot, advice", trade},
       {"stress", "Stability at the extremes, measured: table and CSV", stress},

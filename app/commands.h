@@ -28,6 +28,7 @@ const Command& find_command(std::string_view name);
 
 int record(const Options& options);
 int run(const Options& options);
+int view(const Options& options);
 int explain(const Options& options);
 int trade(const Options& options);
 int stress(const Options& options);

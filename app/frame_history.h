@@ -13,18 +13,23 @@ namespace app {
 
 class FrameHistory {
  public:
-  // Goes on from a start that was resumed. Keeps only what the look shows.
+  // Keeps only what the look of the simulation shows; the simulation must outlive it, or the next call of follow.
+  explicit FrameHistory(const Simulation& simulation) { follow(simulation); }
+  // Goes on from a start that was resumed.
   FrameHistory(const Simulation& simulation, const RunFolder& folder, const Start& start);
 
-  // Takes the next frame in, and adds the largest value to the totals, which are saved with the state.
+  // From now on frames are of this simulation.
+  void follow(const Simulation& simulation);
+  // Takes the next frame in (one that is earlier than others replaces them), and adds the largest value to the totals,
+  // which are saved with the state.
   void add(const sim::State& state, Totals& totals);
   // What is known of the frames so far, put into a moment.
   void fill(const Totals& totals, Moment& moment) const;
 
  private:
-  const sim::System& system_;
+  const sim::System* system_ = nullptr;
   std::optional<sim::Quantity> coloured_;  // whose range comes from the values
-  bool shows_energies_;
+  bool shows_energies_ = false;
   std::vector<Energies> energies_;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/report.h"
 #include "sim/state.h"
 
 namespace app {
@@ -22,6 +23,7 @@ struct Moment {
   double min_J = 1;                     // smallest det F after that step
   double largest = 0;                   // value that a frame so far has shown in colour (app/colour_values.h)
   std::vector<Energies> energies = {};  // of the frames so far; empty where no picture shows them
+  sim::StepReport report = {};          // of that step
 };
 
 // Where the seconds of drawing went; zero where nothing is drawn.

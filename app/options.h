@@ -40,6 +40,9 @@ struct Options {
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
   bool quick = false;               // stress: a part of the matrix, under a minute
   std::string only;                 // stress: the cases whose name has this in it; empty: all
+  std::filesystem::path replay;     // record: the session to draw again; empty: none
+  bool panel = false;               // record: the panel is drawn into the frames
+  std::filesystem::path log;        // view: where the session is written; empty: nowhere
   bool keys = false;                // explain: print the reference of the keys, no scene
   TradeOptions trade;
 };

@@ -26,6 +26,7 @@ class RunFolder {
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path run_json() const { return folder_ / "run.json"; }
   std::filesystem::path scene() const { return folder_ / "run.toml"; }
+  std::filesystem::path session() const { return folder_ / "session.toml"; }  // that was replayed
   std::filesystem::path probes() const { return folder_ / "probes.csv"; }
   std::filesystem::path steps() const { return folder_ / "steps.csv"; }
   std::filesystem::path state() const { return folder_ / "state.bin"; }

@@ -2,8 +2,7 @@
 
 #include <sys/resource.h>
 
-#include <cstdio>
-
+#include "app/hexadecimal.h"
 #include "app/json.h"
 #include "app/scene_text.h"
 #include "app/version.h"
@@ -32,12 +31,6 @@ std::int64_t peak_memory_bytes() {
   return std::int64_t{usage.ru_maxrss} * 1024;
 }
 
-std::string hexadecimal(std::uint64_t number) {
-  char digits[20];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(number));
-  return digits;
-}
-
 void put_options(Json& json, const Options& options) {
   json.key("options").open_object();
   json.member("command", options.command).member("scene", options.scene.string());
@@ -50,6 +43,7 @@ void put_options(Json& json, const Options& options) {
   json.member("samples", options.samples).member("expect", options.expect.string());
   json.member("every", options.every).member("still", options.still);
   json.member("video", options.video.string()).member("vtu", options.vtu);
+  json.member("panel", options.panel).member("replay", options.replay.string());
   json.close_object();
 }
 

@@ -92,7 +92,7 @@ class Runner {
       log_.sync();
       checkpoint = encode(outcome_.run);
     }
-    Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J};
+    Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J, .report = report};
     history_.fill(outcome_.run.totals, moment);
     sink_.add(std::move(moment), std::move(checkpoint));
   }

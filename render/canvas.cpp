@@ -1,7 +1,6 @@
 #include "render/canvas.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 #include "render/light.h"
@@ -166,18 +165,15 @@ void Canvas::resolve(const GlObject* visibility) {
 }
 
 Image Canvas::read() const {
-  const std::size_t row = 4 * static_cast<std::size_t>(width_);
-  Image image{width_, height_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(height_))};
   gl_.BindFramebuffer(GL_FRAMEBUFFER, picture_.name());
-  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  // GL counts rows from below.
-  auto top = image.rgba.begin(), bottom = image.rgba.end();
-  for (int y = 0; y < height_ / 2; ++y, top += static_cast<std::ptrdiff_t>(row)) {
-    bottom -= static_cast<std::ptrdiff_t>(row);
-    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
-  }
-  return image;
+  return read_pixels(gl_, width_, height_);
+}
+
+void Canvas::copy_to_default(int x) const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.name());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_.BlitFramebuffer(0, 0, width_, height_, x, 0, x + width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 }  // namespace render

@@ -37,6 +37,9 @@ class Canvas {
   void resolve(const GlObject* visibility);
   // The picture, read back.
   Image read() const;
+  // The picture, onto the default framebuffer of the context with its lower left corner at (x, 0); that one is bound
+  // then.
+  void copy_to_default(int x) const;
 
  private:
   void make_region(int width, int height);

@@ -203,6 +203,21 @@ Renderer::~Renderer() {
 }
 
 Image Renderer::draw(const Frame& frame) {
+  paint(frame);
+  return read();
+}
+
+Image Renderer::read() const {
+  parts_->context.make_current();
+  return parts_->canvas.read();
+}
+
+void Renderer::present(int x) const {
+  parts_->context.make_current();
+  parts_->canvas.copy_to_default(x);
+}
+
+void Renderer::paint(const Frame& frame) {
   Parts& p = *parts_;
   check(frame);
   const float aspect = static_cast<float>(p.canvas.width()) / static_cast<float>(p.canvas.height());
@@ -221,7 +236,6 @@ Image Renderer::draw(const Frame& frame) {
     p.canvas.resolve(p.shaded ? &p.visibility.texture() : nullptr);
   }
   p.overlay.draw(frame, view);
-  return p.canvas.read();
 }
 
 }  // namespace render
