@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/trade/cli.h"
 
 namespace app {
 namespace {
@@ -87,17 +88,54 @@ void add_output_options(CLI::App& command, Options& options) {
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }
 
-void add_picture_options(CLI::App& command, Options& options) {
+void add_size_option(CLI::App& command, Options& options, const char* what) {
   command
       .add_option_function<std::string>(
-          "--size", [&options](const std::string& text) { read_size(options, text); },
-          "Size of a frame in pixels [1280x720]")
+          "--size", [&options](const std::string& text) { read_size(options, text); }, what)
       ->type_name("WxH");
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  add_size_option(command, options, "Size of a frame in pixels [1280x720]");
   CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
-  command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
+  command.add_option("--samples", options.samples, "Samples per pixel: 1 is fast and jagged, 8 slow and smooth")
+      ->check(CLI::IsMember({1, 2, 4, 8}))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif")
+      ->type_name("FILE");
+  command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
+  command.add_option("--replay", options.replay, "Draw a session that `ritz view --log` has written")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile)
+      ->excludes("--resume", "--still", "--vtu");
+}
+
+void add_expect_options(CLI::App& command, Options& options) {
+  CLI::Option* const expect = command.add_option(
+      "--expect", options.expect, "Compare with the frame_*.png of this folder; exit code 4 where one differs");
+  expect->type_name("DIR")->excludes(command.get_option("--resume"));
+  command
+      .add_option("--expect-difference", options.expect_difference,
+                  "Pixels are equal when no channel differs by more than this, of 255")
+      ->check(CLI::Range(0, 255))
+      ->needs(expect)
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--expect-share", options.expect_share, "Share of the pixels that may differ")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(expect)
+      ->type_name("SHARE")
+      ->capture_default_str();
+}
+
+void add_trade_output_options(CLI::App& command, Options& options) {
+  command.add_option("-o,--out", options.out, "Folder; out/trade/NAME of the scene file when not given")
+      ->type_name("DIR");
+  command.add_flag("--overwrite", options.overwrite, "Measure anew what an earlier trade left in the folder");
 }
 
 void add_stress_options(CLI::App& command, Options& options) {
@@ -112,6 +150,15 @@ void add_stress_options(CLI::App& command, Options& options) {
       ->type_name("PATTERN");
 }
 
+void add_window_options(CLI::App& command, Options& options) {
+  add_size_option(command, options, "Size of the window in pixels [1280x720]");
+  command.add_option("--log", options.log, "Write every input with its step, for ritz record --replay")
+      ->type_name("FILE");
+  command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
+  command.add_option("-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given")
+      ->type_name("DIR");
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(const std::vector<std::string>& arguments, std::ostream& out,
@@ -122,16 +169,20 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   app.require_subcommand(1);
   app.footer(
       "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
-      "3 numerical failure, 130 interrupted.");
+      "3 numerical failure, 4 frames differ from --expect, 130 interrupted.");
 
-  CLI::App& record = *app.add_subcommand("record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers");
-  CLI::App& run = *app.add_subcommand("run", "Step only: the numbers, no picture");
-  CLI::App& explain = *app.add_subcommand("explain", "What is modelled and what it costs, before a step is taken");
-  for (CLI::App* const command : {&record, &run, &explain}) add_scene_options(*command, options);
-  for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
-  add_picture_options(record, options);
-  CLI::App& stress = *app.add_subcommand("stress", "Stability at the extremes, measured: table and CSV");
-  add_stress_options(stress, options);
+  for (const Command& command : commands()) app.add_subcommand(std::string(command.name), std::string(command.what));
+  const auto command = [&](const char* name) -> CLI::App& { return *app.get_subcommand(name); };
+  for (const char* const name : {"record", "run", "view", "explain", "trade"})
+    add_scene_options(command(name), options);
+  for (const char* const name : {"record", "run"}) add_output_options(command(name), options);
+  add_picture_options(command("record"), options);
+  add_window_options(command("view"), options);
+  add_expect_options(command("record"), options);
+  add_trade_output_options(command("trade"), options);
+  add_trade_options(command("trade"), options.trade);
+  add_stress_options(command("stress"), options);
+  CLI::App& explain = command("explain");
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
   explain.get_option("SCENE")->required(false);
@@ -145,10 +196,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
     exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
     return std::nullopt;
   }
-  options.command = record.parsed()   ? Command::record
-                    : run.parsed()    ? Command::run
-                    : stress.parsed() ? Command::stress
-                                      : Command::explain;
+  options.command = app.get_subcommands().front()->get_name();
   return options;
 }
 

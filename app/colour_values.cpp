@@ -16,35 +16,30 @@ double round_up(double x) {
   return 10 * power;
 }
 
-// What 99 of 100 values do not exceed: a single sharp corner does not decide the colours of the rest.
-double nearly_largest(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto last = static_cast<double>(values.size() - 1);
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
-  std::ranges::nth_element(values, place);
-  return *place;
+bool around_one(sim::Quantity quantity) {
+  return quantity == sim::Quantity::stretch || quantity == sim::Quantity::J;
 }
 
 // Stress and energy start at 0; stretch and J lie around 1.
-std::array<double, 2> range_of(sim::Quantity quantity, const Eigen::VectorXd& values, double young) {
-  std::vector<double> sizes;
-  for (const double value : values) {
-    const bool around_one = quantity == sim::Quantity::stretch || quantity == sim::Quantity::J;
-    sizes.push_back(std::abs(around_one ? value - 1 : value));
-  }
-  constexpr double strain = 1e-4;   // the smallest that a picture shows
-  constexpr double largest = 1e30;  // what a picture's numbers hold, of a body that has exploded
-  const double size = std::min(nearly_largest(std::move(sizes)), largest);
-  switch (quantity) {
-    case sim::Quantity::stress:
-      return {0, round_up(std::max(size, young * strain))};
-    case sim::Quantity::energy:
-      return {0, round_up(std::max(size, young * strain * strain))};
-    default: {
-      const double reach = round_up(std::max(size, strain));
-      return {1 - reach, 1 + reach};
+std::array<double, 2> range_of(sim::Quantity quantity, double reach) {
+  const double size = round_up(reach);
+  if (around_one(quantity)) return {1 - size, 1 + size};
+  return {0, size};
+}
+
+// The strain of a body of length L that its weight, its loads, its pins and its speed cause, roughly:
+// rho g L/E, |traction|/E, way/L, v sqrt(rho/E).
+double expected_strain(const sim::Scene& scene, const sim::Body& body, const sim::MaterialSpec& material) {
+  const double length = (body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff()).maxCoeff();
+  double strain = material.density * scene.world.gravity.norm() * length / material.young;
+  for (const sim::Traction& load : body.tractions) strain = std::max(strain, load.value.norm() / material.young);
+  for (const sim::Pin& pin : body.pins) {
+    for (const sim::Keyframe& pose : pin.motion) {
+      strain = std::max({strain, pose.translate.norm() / length, std::abs(pose.degrees) / 180});
     }
   }
+  const double speed = std::max(body.velocity.norm(), std::abs(body.spin.rate) * length);
+  return std::max(strain, speed * std::sqrt(material.density / material.young));
 }
 
 // The largest prefix below the value: 2.5e4 Pa is 25 kPa.
@@ -65,10 +60,42 @@ std::optional<sim::Quantity> quantity(std::string_view colour) {
   return std::nullopt;
 }
 
-ColourRange colour_range(sim::Quantity quantity, const std::optional<std::array<double, 2>>& range,
-                         const Eigen::VectorXd& values, double young) {
-  const auto [low, high] = range ? *range : range_of(quantity, values, young);
+double reach_of(sim::Quantity quantity, const Eigen::VectorXd& values) {
+  if (values.size() == 0) return 0;
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(around_one(quantity) ? value - 1 : value));
+  const auto last = static_cast<double>(sizes.size() - 1);
+  const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
+  std::ranges::nth_element(sizes, place);
+  constexpr double largest = 1e30;  // what a picture's numbers hold, of a body that has exploded
+  return std::min(*place, largest);
+}
+
+double expected_reach(sim::Quantity quantity, const sim::Scene& scene) {
+  constexpr double least = 1e-4, most = 0.5;  // strains that a picture shows, and that a guess is good for
+  double reach = 0;
+  for (const sim::Body& body : scene.bodies) {
+    for (const sim::MaterialSpec& material : body.materials) {
+      const double strain = std::clamp(expected_strain(scene, body, material), least, most);
+      switch (quantity) {
+        case sim::Quantity::stress:
+          reach = std::max(reach, material.young * strain);
+          break;
+        case sim::Quantity::energy:
+          reach = std::max(reach, material.young * strain * strain / 2);
+          break;
+        default:
+          reach = std::max(reach, strain);
+      }
+    }
+  }
+  return reach;
+}
+
+ColourRange colour_range(sim::Quantity quantity, const Look& look, double reach) {
+  const auto [low, high] = look.range ? *look.range : range_of(quantity, reach);
   ColourRange result;
+  result.scale.map = look.colour_map.value_or(around_one(quantity) ? "blue-red" : "viridis");
   const auto [letter, factor] = prefix(std::max(std::abs(low), std::abs(high)));
   switch (quantity) {
     case sim::Quantity::stress:

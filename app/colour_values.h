@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "app/look.h"
 #include "render/frame.h"
 #include "sim/system.h"
 
@@ -14,15 +15,22 @@ namespace app {
 // What look.colour names; none for "plain".
 std::optional<sim::Quantity> quantity(std::string_view colour);
 
+// How far values reach from 0, or from 1 for stretch and J [SI]: what 99 of 100 do not exceed, so that a single sharp
+// corner does not decide the colours of the rest.
+double reach_of(sim::Quantity quantity, const Eigen::VectorXd& values);
+
+// How far they will reach as far as a scene tells before a step is taken, from weight, loads, motion of pins and
+// speeds; often too little, at least what is more than rounding errors.
+double expected_reach(sim::Quantity quantity, const sim::Scene& scene);
+
 // Values [SI] times `factor` are what the scale shows: kPa, say, where the values are large in Pa.
 struct ColourRange {
   render::ColourScale scale;
   double factor = 1;
 };
 
-// `range`: SI values at the ends; none: round numbers that hold nearly all values. `young` [Pa]: of the softest body,
-// for the smallest range that is more than rounding errors.
-ColourRange colour_range(sim::Quantity quantity, const std::optional<std::array<double, 2>>& range,
-                         const Eigen::VectorXd& values, double young);
+// The look's own range, or round numbers around what is expected and what has been reached so far: it grows in steps of
+// 1, 2, 5, 10 and never shrinks, and a run that was resumed goes on with the same.
+ColourRange colour_range(sim::Quantity quantity, const Look& look, double reach);
 
 }  // namespace app

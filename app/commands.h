@@ -1,6 +1,9 @@
-// The commands of the program. Each returns its exit code; bad input throws SceneError, sim::InputError or
+// The commands of the program, one table. Each returns its exit code; bad input throws SceneError, sim::InputError or
 // std::runtime_error, which main reports.
 #pragma once
+
+#include <span>
+#include <string_view>
 
 #include "app/options.h"
 
@@ -10,11 +13,24 @@ namespace app {
 constexpr int kDone = 0;
 constexpr int kBadInput = 2;
 constexpr int kNumericalFailure = 3;  // reported, last good state saved
+constexpr int kFramesDiffer = 4;      // from those of --expect
 constexpr int kInterrupted = 130;     // what was written stays valid
 
-int record(const Options& options);   // step and draw
-int run(const Options& options);      // step only: the numbers
-int explain(const Options& options);  // what is modelled and what it costs, before a step is taken
-int stress(const Options& options);   // stability at the extremes: table, CSV
+struct Command {
+  std::string_view name, what;
+  int (*run)(const Options& options);
+};
+
+std::span<const Command> commands();
+
+// Throws std::logic_error for a name that is not in the table.
+const Command& find_command(std::string_view name);
+
+int record(const Options& options);
+int run(const Options& options);
+int view(const Options& options);
+int explain(const Options& options);
+int trade(const Options& options);
+int stress(const Options& options);
 
 }  // namespace app

@@ -16,7 +16,7 @@ namespace app {
 struct Document {
   std::string title;
   sim::Scene scene;
-  std::vector<MeshSpec> meshes;  // body by body: the description that scene.bodies[i].mesh was made from
+  std::vector<MeshSpec> meshes;                 // body by body: the description that scene.bodies[i].mesh was made from
   std::vector<std::optional<Vec3>> references;  // probe by probe: the displacement it should have at the end [m]
   Camera camera;
   Look look;

@@ -20,12 +20,11 @@ std::string code(std::string_view text) {
   return "`" + std::string(text) + "`";
 }
 
-std::string default_text(const Key& key, const Document& blank) {
-  if (key.kind == Kind::table) return std::string(key.absent);
-  if (key.required) return "required";
-  if (!key.absent.empty()) return std::string(key.absent);
-  if (key.kind == Kind::list) return "none";
-  return code(value_text(key, *key.binding.get(blank, {}), 3));
+// A default that is a value, not words, is set as code.
+std::string default_cell(const Key& key, const Document& blank) {
+  const bool words = key.kind == Kind::table || key.kind == Kind::list || key.required || !key.absent.empty();
+  const std::string text = default_text(key, blank);
+  return words ? text : code(text);
 }
 
 std::string type_text(const Key& key) {
@@ -37,7 +36,7 @@ std::string type_text(const Key& key) {
 std::string row(const Key& key, const Document& blank) {
   const std::string path(key.path);
   return "| " + code(path) + " | " + cell(type_text(key)) + " | " + cell(key.unit) + " | " + cell(key.range.text()) +
-         " | " + cell(default_text(key, blank)) + " | " + cell(key.meaning) + " |\n";
+         " | " + cell(default_cell(key, blank)) + " | " + cell(key.meaning) + " |\n";
 }
 
 // The first name of a path: "body" of "body[].pin[].axes".
@@ -46,6 +45,14 @@ std::string_view part(const Key& key) {
 }
 
 }  // namespace
+
+std::string default_text(const Key& key, const Document& blank) {
+  if (key.kind == Kind::table) return std::string(key.absent);
+  if (key.required) return "required";
+  if (!key.absent.empty()) return std::string(key.absent);
+  if (key.kind == Kind::list) return "none";
+  return value_text(key, *key.binding.get(blank, {}), 3);
+}
 
 std::string key_reference_markdown() {
   const Document blank = blank_document();

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/scene.h"
 
@@ -11,21 +12,48 @@ namespace app {
 
 using sim::Vec3;
 
+// A camera at a moment of its script, compared with where it stands without one.
+struct CameraPose {
+  double t = 0;     // s
+  double turn = 0;  // degrees about `up` through the target, right-handed; 3D only
+  double tilt = 0;  // degrees upwards; 3D only
+  double zoom = 1;  // > 0; 2: everything is seen twice as large
+};
+
 struct Camera {
-  std::optional<Vec3> eye;       // m, 3D only; none: far enough from the target to see every body
-  std::optional<Vec3> target;    // m, the point in the middle of the picture; none: the middle of the bodies at rest
-  Vec3 up = {0, 1, 0};           // 3D only: the direction that is up in the picture
-  double fov = 30;               // degrees, 3D only: vertical opening angle
-  std::optional<double> height;  // m, 2D only: height of what is seen; none: every body is seen
+  std::optional<Vec3> eye;            // m, 3D only; none: far enough from the target to see every body
+  std::optional<Vec3> target;         // m, the point in the middle of the picture; none: the middle of what is seen
+  Vec3 up = {0, 1, 0};                // 3D only: the direction that is up in the picture
+  double fov = 30;                    // degrees, 3D only: vertical opening angle
+  std::optional<double> height;       // m, 2D only: height of what is seen; none: every body is seen
+  double orbit = 0;                   // degrees/s, 3D only: an even turn about `up`, added to the script
+  std::vector<CameraPose> keyframes;  // the script: times increase, eased from pose to pose
+  std::string follow;                 // name of the body that eye and target move with; empty: none
 };
 
 struct Look {
   std::string colour = "plain";                // "plain" | "stress" (von Mises) | "stretch" | "energy" | "J"
   std::optional<std::array<double, 2>> range;  // values at the ends of the colour map; none: from the values themselves
-  std::string caption = "t = {t} s";           // {t} [s], {frame}, {step} = h [s], {energy} [J], {iterations}
+  std::optional<std::string> colour_map;       // one of render/colour_map.h; none: what suits the values
+  std::optional<std::string> background;       // "studio" | "paper"; none: paper in 2D
+  std::string finish = "rubber";               // "rubber" | "jelly"
+  std::string caption = "t = {t} s";           // {names} stand for live values, see app/caption.h
   bool wireframe = false;                      // edges of the elements over the faces
+  bool smooth = true;                          // 3D: faces between smooth neighbours are drawn round
+  bool shadows = true;                         // 3D: soft shadows and darkened creases
   bool ground = true;                          // 3D: a floor below the bodies, which shows where they are
   std::optional<double> ground_height;         // m along `up`; none: just below the lowest body at rest
+  bool ghost = false;                          // the rest shape, translucent
+  bool pins = false;                           // a dot at each pinned node of the surface
+  bool obstacles = true;                       // obstacles are drawn
+  bool forces = false;                         // arrows: loads and what holds the pinned nodes
+  std::optional<double> force_scale;           // m/N, length of an arrow; none: from the weight and the loads
+  bool velocities = false;                     // arrows
+  std::optional<double> velocity_scale;        // s, the way that an arrow covers; none: from the size of the scene
+  std::optional<bool> labels;                  // names of the bodies; none: when there are several
+  bool energies = false;                       // kinetic, elastic, potential and total energy over time
+  bool axes = false;                           // 2D: ticks along the left and the lower edge
+  bool scale_bar = false;                      // 2D: a bar of round length
 };
 
 }  // namespace app

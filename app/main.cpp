@@ -11,20 +11,6 @@
 
 namespace {
 
-int dispatch(const app::Options& options) {
-  switch (options.command) {
-    case app::Command::record:
-      return app::record(options);
-    case app::Command::run:
-      return app::run(options);
-    case app::Command::explain:
-      return app::explain(options);
-    case app::Command::stress:
-      return app::stress(options);
-  }
-  return app::kBadInput;
-}
-
 // Threads that wait for work are to sleep: by default OpenMP's spin, and take the cores from drawing and encoding
 // (a recording then takes about 1.5 times as long on 2 cores). libgomp reads its policy when it is loaded, so the
 // program starts itself once more with the policy set; where that fails it goes on as it is.
@@ -41,7 +27,7 @@ int main(int argc, char** argv) {
   try {
     int exit_code = app::kDone;
     const auto options = app::parse_command_line({argv + 1, argv + argc}, std::cout, std::cerr, exit_code);
-    return options ? dispatch(*options) : exit_code;
+    return options ? app::find_command(options->command).run(*options) : exit_code;
   } catch (const std::bad_alloc&) {
     std::cerr << "ritz: out of memory: take a coarser mesh\n";
     return app::kNumericalFailure;

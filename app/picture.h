@@ -1,10 +1,13 @@
 // What a frame of a run shows: the state of a system, seen as the scene says.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "app/arrows.h"
 #include "app/document.h"
 #include "app/frame_sink.h"
+#include "app/shot.h"
 #include "app/surface.h"
 #include "render/frame.h"
 #include "sim/system.h"
@@ -20,12 +23,17 @@ class Picture {
   render::Frame frame(const Moment& moment) const;
 
  private:
-  void add_values(const sim::State& state, render::Frame& frame) const;
+  void add_values(const Moment& moment, render::Frame& frame) const;
+  void add_pins(const sim::State& state, render::Frame& frame) const;
+  void add_labels(render::Frame& frame) const;
 
   const sim::System& system_;
   const Document& document_;
   std::vector<Surface> surfaces_;  // body by body
-  render::Frame still_;            // a frame that lacks positions, values and caption
+  render::Frame still_;            // a frame that lacks what changes
+  Shot shot_;
+  Arrows arrows_;
+  double expected_reach_ = 0;  // of the values that colour bodies
 };
 
 }  // namespace app

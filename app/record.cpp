@@ -4,20 +4,26 @@
 #include "app/recorder.h"
 #include "app/run_loop.h"
 #include "app/run_start.h"
+#include "app/session/replay.h"
 
 namespace app {
 
 int record(const Options& options) {
-  const Simulation simulation = build_simulation(options);
+  if (!options.replay.empty()) return replay(options);
+  const auto simulation = std::make_shared<const Simulation>(build_simulation(options));
   const RunFolder folder = open_run_folder(options);
-  const Start start = make_start(simulation, folder, !options.resume.empty());
+  const Start start = make_start(*simulation, folder, !options.resume.empty());
   Recorder recorder(simulation, folder, options);
-  const Outcome outcome = run_loop(simulation, options, folder, start, recorder);
+  const Outcome outcome = run_loop(*simulation, options, folder, start, recorder);
   if (!options.quiet) {
     const std::filesystem::path place = options.video.empty() ? folder.frames() : options.video;
     std::cerr << recorder.frames_drawn() << " frames in " << place.string() << '\n';
   }
-  return conclude(simulation, options, folder, outcome);
+  const int code = conclude(*simulation, options, folder, outcome);
+  const std::optional<Expectation>& expectation = recorder.expectation();
+  if (code != kDone || !expectation) return code;
+  if (!options.quiet || !expectation->fulfilled()) std::cerr << expectation->summary() << '\n';
+  return expectation->fulfilled() ? kDone : kFramesDiffer;
 }
 
 }  // namespace app

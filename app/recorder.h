@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "app/expectation.h"
 #include "app/frame_sink.h"
 #include "app/options.h"
+#include "app/panel/panel.h"
 #include "app/picture.h"
 #include "app/pipeline.h"
 #include "app/run_folder.h"
@@ -20,20 +22,33 @@ namespace app {
 class Recorder : public FrameSink {
  public:
   // Makes ready to draw and starts ffmpeg where a video is wanted; throws std::runtime_error when either cannot be
-  // done. `simulation` and `folder` must outlive it.
-  Recorder(const Simulation& simulation, const RunFolder& folder, const Options& options);
+  // done. `folder` must outlive it.
+  Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options);
 
   void add(Moment moment, std::string checkpoint) override;
   void finish() override;
   FrameSeconds seconds() const override;
+  // From the next frame on: the scene as it has become, with values that wait for a restart.
+  void show(std::shared_ptr<const Simulation> simulation, std::vector<Override> waiting);
   int frames_drawn() const { return frames_drawn_; }
+  // How the frames compare with those of --expect; none without it. To be asked after finish().
+  const std::optional<Expectation>& expectation() const { return expectation_; }
 
  private:
+  // What is seen; shared, because the drawing thread may be some frames behind.
+  struct Sight {
+    std::shared_ptr<const Simulation> simulation;
+    Picture picture;
+    std::vector<Override> waiting;
+  };
   struct Job {
     Moment moment;
     bool draw = true;
     std::string checkpoint;
+    std::shared_ptr<const Sight> sight;
+    std::vector<Sample> samples;
   };
+  struct Easel;
   struct Drawn {
     std::int64_t frame = 0;
     std::optional<render::Image> image;
@@ -42,17 +57,22 @@ class Recorder : public FrameSink {
   using Stages = Pipeline<Job, Drawn>;
 
   bool is_drawn(std::int64_t frame) const;
+  std::shared_ptr<const Sight> make_sight(std::shared_ptr<const Simulation> simulation,
+                                          std::vector<Override> waiting) const;
   Stages::Draw make_draw() const;
   void write(const Drawn& drawn);
 
-  const Simulation& simulation_;
   const RunFolder& folder_;
-  int width_, height_, every_;
+  int width_, height_, samples_, every_;
+  std::int64_t last_frame_;
   bool still_;
+  int panel_width_;  // pixels; 0: no panel
   int frames_drawn_ = 0;
   double waiting_ = 0;
-  Picture picture_;
+  Monitor monitor_;  // frame by frame, for the panel's plots
+  std::optional<Expectation> expectation_;
   std::unique_ptr<Video> video_;
+  std::shared_ptr<const Sight> sight_;
   Stages stages_;  // last: its threads use all of the above
 };
 

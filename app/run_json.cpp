@@ -2,8 +2,7 @@
 
 #include <sys/resource.h>
 
-#include <cstdio>
-
+#include "app/hexadecimal.h"
 #include "app/json.h"
 #include "app/scene_text.h"
 #include "app/version.h"
@@ -25,20 +24,6 @@ const char* text(Status status) {
   return "";
 }
 
-const char* text(Command command) {
-  switch (command) {
-    case Command::record:
-      return "record";
-    case Command::run:
-      return "run";
-    case Command::explain:
-      return "explain";
-    case Command::stress:
-      return "stress";
-  }
-  return "";
-}
-
 // Largest memory of this process so far; the system counts in units of 1024 bytes.
 std::int64_t peak_memory_bytes() {
   rusage usage{};
@@ -46,23 +31,19 @@ std::int64_t peak_memory_bytes() {
   return std::int64_t{usage.ru_maxrss} * 1024;
 }
 
-std::string hexadecimal(std::uint64_t number) {
-  char digits[20];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(number));
-  return digits;
-}
-
 void put_options(Json& json, const Options& options) {
   json.key("options").open_object();
-  json.member("command", text(options.command)).member("scene", options.scene.string());
+  json.member("command", options.command).member("scene", options.scene.string());
   json.member("settings", options.settings.string());
   json.key("set").open_array();
   for (const Override& override : options.overrides) json.value(override.key + "=" + override.value);
   json.close_array();
   json.member("threads", options.threads).member("seed", options.seed);
   json.member("width", options.width).member("height", options.height);
+  json.member("samples", options.samples).member("expect", options.expect.string());
   json.member("every", options.every).member("still", options.still);
   json.member("video", options.video.string()).member("vtu", options.vtu);
+  json.member("panel", options.panel).member("replay", options.replay.string());
   json.close_object();
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/frame_history.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/run_json.h"
@@ -32,6 +33,7 @@ class Runner {
         stepper_(sim::make_stepper(system_, options.threads)),
         log_(system_, simulation.document.scene.probes, folder,
              start.resumed ? std::optional(start.run.state.step) : std::nullopt),
+        history_(simulation, folder, start),
         progress_(std::cerr, progress_style(options.quiet),
                   {start.run.state.step, simulation.last_step(), system_.step_seconds()}, Progress::Clock::now()) {
     if (vtu_every_ > 0) folder_.make_folder(folder_.vtu_folder());
@@ -40,7 +42,7 @@ class Runner {
   // The initial state, of a run that was not resumed.
   void begin() {
     log_.start(state());
-    frame_reached(0);
+    frame_reached({});
   }
 
   void go(std::int64_t last_step) {
@@ -67,7 +69,7 @@ class Runner {
     add_up(report);
     log_.step(state(), report);
     progress_.update(state().step, Progress::Clock::now());
-    if (state().step % system_.steps_per_frame() == 0) frame_reached(report.newton);
+    if (state().step % system_.steps_per_frame() == 0) frame_reached(report);
     return true;
   }
 
@@ -92,17 +94,20 @@ class Runner {
     return text;
   }
 
-  void frame_reached(int newton) {
+  void frame_reached(const sim::StepReport& report) {
     const std::int64_t frame = state().step / system_.steps_per_frame();
     if (vtu_every_ > 0 && frame % vtu_every_ == 0) {
       write_atomically(folder_.vtu(frame), vtu_text(system_, state()), false);
     }
+    history_.add(state(), outcome_.run.totals);
     std::string checkpoint;
     if (frame > 0 && frame < last_frame_ && frame % fps_ == 0) {  // once a simulated second
       log_.sync();
       checkpoint = encode(outcome_.run);
     }
-    sink_.add({frame, newton, state()}, std::move(checkpoint));
+    Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J, .report = report};
+    history_.fill(outcome_.run.totals, moment);
+    sink_.add(std::move(moment), std::move(checkpoint));
   }
 
   // Everything is on the disk before state.bin says that the run has come this far.
@@ -134,6 +139,7 @@ class Runner {
   Outcome& outcome_;
   std::unique_ptr<sim::Stepper> stepper_;
   RunLog log_;
+  FrameHistory history_;
   Progress progress_;
   Interrupt interrupt_;
 };

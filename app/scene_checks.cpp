@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/caption.h"
 #include "sim/mesh/locate.h"
 
 namespace app {
@@ -74,10 +75,12 @@ void check_region(const sim::Mesh& mesh, const sim::Region& region, const std::s
   if (const auto* group = std::get_if<sim::InGroup>(&region)) check_group(mesh, group->name, path + ".group");
 }
 
-void check_motion(const sim::Pin& pin, const std::string& path) {
-  for (std::size_t i = 1; i < pin.motion.size(); ++i) {
-    if (pin.motion[i].t <= pin.motion[i - 1].t) {
-      throw InputError(path + ".motion.keyframes." + std::to_string(i) + ".0", "must be later than the pose before it");
+// `path` is the list of keyframes.
+template <class List>
+void check_times(const List& keyframes, const std::string& path) {
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    if (keyframes[i].t <= keyframes[i - 1].t) {
+      throw InputError(path + "." + std::to_string(i) + ".0", "must be later than the pose before it");
     }
   }
 }
@@ -86,7 +89,7 @@ void check_body(const sim::Body& body, const std::string& path) {
   for (std::size_t i = 0; i < body.pins.size(); ++i) {
     const std::string pin = path + ".pin." + std::to_string(i);
     check_region(body.mesh, body.pins[i].where, pin);
-    check_motion(body.pins[i], pin);
+    check_times(body.pins[i].motion, pin + ".motion.keyframes");
   }
   for (std::size_t i = 0; i < body.tractions.size(); ++i) {
     check_region(body.mesh, body.tractions[i].where, path + ".traction." + std::to_string(i));
@@ -96,11 +99,17 @@ void check_body(const sim::Body& body, const std::string& path) {
   }
 }
 
-void check_probe(const sim::Scene& scene, const sim::Probe& probe, const std::string& path) {
-  if (std::ranges::find(scene.bodies, probe.body, &sim::Body::name) != scene.bodies.end()) return;
-  std::string names;
-  for (const sim::Body& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
-  throw InputError(path + ".body", "there is no such body; there are: " + names);
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void check_body_name(const sim::Scene& scene, const std::string& name, const std::string& path) {
+  if (std::ranges::find(scene.bodies, name, &sim::Body::name) != scene.bodies.end()) return;
+  std::vector<std::string> names;
+  for (const sim::Body& body : scene.bodies) names.push_back(body.name);
+  throw InputError(path, "there is no such body; there are: " + listed(names));
 }
 
 void check_picture(const Document& document) {
@@ -111,6 +120,12 @@ void check_picture(const Document& document) {
     if (view.normalized().cross(camera.up).norm() < 1e-6) {
       throw InputError("camera.up", "must not lie along the line from camera.eye to camera.target");
     }
+  }
+  if (!camera.follow.empty()) check_body_name(document.scene, camera.follow, "camera.follow");
+  check_times(camera.keyframes, "camera.keyframes");
+  for (const std::string& name : caption_names(document.look.caption)) {
+    if (std::ranges::find(known_caption_names(), name) != known_caption_names().end()) continue;
+    throw InputError("look.caption", "{" + name + "} is not known; known are " + listed(known_caption_names()));
   }
   if (document.look.range && (*document.look.range)[0] >= (*document.look.range)[1]) {
     throw InputError("look.range", "must be [low, high] with low < high");
@@ -155,7 +170,7 @@ void check_consistency(const Document& document) {
   check_unique(scene.probes, "probe");
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_body(scene.bodies[i], "body." + std::to_string(i));
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    check_probe(scene, scene.probes[i], "probe." + std::to_string(i));
+    check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body");
   }
   check_picture(document);
 }

@@ -77,13 +77,16 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
 
 }  // namespace
 
-Document load_scene(const std::filesystem::path& scene, const std::filesystem::path& settings,
-                    const std::vector<Override>& overrides) {
+std::vector<Item> read_scene(const std::filesystem::path& scene, const std::filesystem::path& settings) {
   std::vector<Item> items;
   lay_over(items, read_layer(scene));
   if (!settings.empty()) lay_over(items, read_layer(settings));
-  for (const Override& override : overrides) lay_over(items, read_layer(override));
+  return items;
+}
 
+Document load_scene(std::vector<Item> items, const std::filesystem::path& scene,
+                    const std::vector<Override>& overrides) {
+  for (const Override& override : overrides) lay_over(items, read_layer(override));
   Places places = {{"", {scene.string(), ""}}};
   try {
     Document document = make_document(items, scene, places);
@@ -92,6 +95,11 @@ Document load_scene(const std::filesystem::path& scene, const std::filesystem::p
   } catch (const sim::InputError& error) {
     throw located(error, places);
   }
+}
+
+Document load_scene(const std::filesystem::path& scene, const std::filesystem::path& settings,
+                    const std::vector<Override>& overrides) {
+  return load_scene(read_scene(scene, settings), scene, overrides);
 }
 
 }  // namespace app

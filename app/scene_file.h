@@ -7,6 +7,7 @@
 
 #include "app/document.h"
 #include "app/options.h"
+#include "app/scene_items.h"
 
 namespace app {
 
@@ -14,5 +15,10 @@ namespace app {
 // the key table, fills every default in and makes the meshes. Throws SceneError.
 Document load_scene(const std::filesystem::path& scene, const std::filesystem::path& settings = {},
                     const std::vector<Override>& overrides = {});
+
+// The same in two steps, for who changes keys again and again: what the files say is read once. Throw SceneError.
+std::vector<Item> read_scene(const std::filesystem::path& scene, const std::filesystem::path& settings);
+Document load_scene(std::vector<Item> items, const std::filesystem::path& scene,
+                    const std::vector<Override>& overrides);
 
 }  // namespace app

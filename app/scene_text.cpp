@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/key_positions.h"
 #include "app/value_text.h"
 
 namespace app {
@@ -34,22 +35,6 @@ void put(Node& root, std::string_view path, std::string text) {
   node->text = std::move(text);
 }
 
-// Calls visit(indices) for every position that the lists of the document give to the key; `rest` is what remains of
-// its path after the lists that the first `depth` indices count in.
-template <class Visit>
-void for_each_position(const Document& document, const Key& key, std::string_view rest, Indices indices, int depth,
-                       Visit&& visit) {
-  const std::size_t bracket = rest.find("[]");
-  if (bracket == std::string_view::npos) return visit(indices);
-  rest.remove_prefix(bracket + 2);
-  const Key& list = *find_key(key.path.substr(0, key.path.size() - rest.size()));
-  const std::int64_t count = std::get<std::int64_t>(*list.binding.get(document, indices));
-  for (int i = 0; i < count; ++i) {
-    indices[depth] = i;
-    for_each_position(document, key, rest, indices, depth + 1, visit);
-  }
-}
-
 // An empty folder is the current one.
 std::string relative_path(const std::filesystem::path& file, const std::filesystem::path& folder) {
   const std::filesystem::path base = std::filesystem::absolute(folder.empty() ? "." : folder);
@@ -65,7 +50,7 @@ Node filled(const Document& document, const std::filesystem::path& folder) {
   for (const Key& key : keys()) {
     if (key.kind == Kind::table || key.kind == Kind::list) continue;
     if (key.dimension != 0 && key.dimension != dimension) continue;
-    for_each_position(document, key, key.path, {}, 0, [&](const Indices& indices) {
+    for_each_position(document, key, [&](const Indices& indices) {
       std::optional<Value> value = key.binding.get(document, indices);
       if (!value) return;
       if (key.path == "body[].mesh.file") value = relative_path(std::get<std::string>(*value), folder);
@@ -116,6 +101,14 @@ std::string scene_toml(const Document& document, const std::filesystem::path& fo
 
 std::string scene_json(const Document& document, const std::filesystem::path& folder) {
   return line(filled(document, folder), true);
+}
+
+std::string list_toml(const Document& document, std::string_view list, int left_out) {
+  Node root = filled(document, {});
+  const auto found = std::ranges::find(root.entries, list, &Node::name);
+  if (found == root.entries.end()) return "[]";
+  found->entries.erase(found->entries.begin() + left_out);
+  return line(*found, false);
 }
 
 }  // namespace app

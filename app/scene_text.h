@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "app/document.h"
 
@@ -12,5 +13,8 @@ namespace app {
 // written relative to `folder`, where the text is meant to be stored.
 std::string scene_toml(const Document& document, const std::filesystem::path& folder);
 std::string scene_json(const Document& document, const std::filesystem::path& folder);
+
+// A list of the document ("obstacle") as one TOML value, without the entry `left_out`.
+std::string list_toml(const Document& document, std::string_view list, int left_out);
 
 }  // namespace app

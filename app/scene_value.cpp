@@ -112,26 +112,26 @@ std::vector<double> ball(const toml::node& node, const Key& key, int& dimension)
   return numbers;
 }
 
-std::string line(const toml::node& node) {
+}  // namespace
+
+std::string node_literal(const toml::node& node) {
   if (const toml::value<double>* number = node.as_floating_point()) return number_literal(number->get());
   if (const toml::value<std::string>* text = node.as_string()) return quoted_text(text->get());
   if (const toml::value<bool>* truth = node.as_boolean()) return truth->get() ? "true" : "false";
   if (const toml::value<std::int64_t>* integer = node.as_integer()) return std::to_string(integer->get());
   std::string text;
   if (const toml::array* array = node.as_array()) {
-    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + line(entry);
+    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + node_literal(entry);
     return "[" + text + "]";
   }
   if (const toml::table* table = node.as_table()) {
     for (const auto& [name, entry] : *table) {
-      text.append(text.empty() ? " " : ", ").append(name.str()).append(" = ").append(line(entry));
+      text.append(text.empty() ? " " : ", ").append(name.str()).append(" = ").append(node_literal(entry));
     }
     return "{" + text + " }";
   }
   return "a date or time";
 }
-
-}  // namespace
 
 ScannedValue scan_value(const Key& key, const toml::node& node) {
   ScannedValue scan;
@@ -189,7 +189,7 @@ ScannedValue scan_value(const Key& key, const toml::node& node) {
 
 std::string node_text(const toml::node& node) {
   constexpr std::size_t longest = 60;
-  std::string text = line(node);
+  std::string text = node_literal(node);
   if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text;
 }

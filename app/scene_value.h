@@ -17,6 +17,9 @@ struct ScannedValue {
 // The node as a value of the key. Throws std::invalid_argument that says what would be right ("must be > 0").
 ScannedValue scan_value(const Key& key, const toml::node& node);
 
+// The node as TOML on one line.
+std::string node_literal(const toml::node& node);
+
 // The node as a message shows it: on one line, shortened when it is long.
 std::string node_text(const toml::node& node);
 

@@ -20,15 +20,19 @@ std::vector<std::string> Simulation::remarks() const {
   return all;
 }
 
+std::shared_ptr<const sim::System> build_system(const Document& document, int threads) {
+  try {
+    return std::make_shared<const sim::System>(document.scene, threads);
+  } catch (const sim::InputError& error) {
+    throw located(error, document.places);
+  }
+}
+
 Simulation build_simulation(const Options& options) {
   const Stopwatch watch;
   Simulation simulation;
   simulation.document = load_scene(options.scene, options.settings, options.overrides);
-  try {
-    simulation.system = std::make_unique<sim::System>(simulation.document.scene, options.threads);
-  } catch (const sim::InputError& error) {
-    throw located(error, simulation.document.places);
-  }
+  simulation.system = build_system(simulation.document, options.threads);
   simulation.identity = scene_identity(simulation.document);
   simulation.build_seconds = watch.seconds();
   return simulation;

@@ -15,8 +15,8 @@ namespace app {
 
 struct Simulation {
   Document document;
-  std::unique_ptr<sim::System> system;
-  std::uint64_t identity = 0;  // of the scene
+  std::shared_ptr<const sim::System> system;  // shared by simulations that differ in their looks only
+  std::uint64_t identity = 0;                 // of the scene
   double build_seconds = 0;
 
   std::int64_t last_frame() const;  // frames are 0, 1, ..., last_frame
@@ -27,5 +27,8 @@ struct Simulation {
 
 // Reads the scene that the options name and builds its system. Throws SceneError.
 Simulation build_simulation(const Options& options);
+
+// The system of a document. Throws SceneError.
+std::shared_ptr<const sim::System> build_system(const Document& document, int threads);
 
 }  // namespace app

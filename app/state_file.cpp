@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr std::string_view kMagic = "RITZSTAT";
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 constexpr std::size_t kChecksumBytes = 8;
 
 template <typename Unsigned>
@@ -119,6 +119,7 @@ std::string encode(const SavedRun& run) {
   for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged, run.totals.splits})
     put(bytes, count);
   put(bytes, run.totals.min_J);
+  for (const double value : run.totals.largest) put(bytes, value);
   for_each_field(state, [&](const auto& field) { put_field(bytes, field); });
   put(bytes, checksum(bytes));
   return bytes;
@@ -137,6 +138,7 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
     *count = reader.integer();
   }
   run.totals.min_J = reader.real();
+  for (double& value : run.totals.largest) value = reader.real();
   for_each_field(run.state, [&](auto& field) { take_field(reader, field); });
   if (reader.left() != kChecksumBytes) reader.fail("has the wrong length");
   const std::uint64_t expected = checksum(bytes.substr(0, bytes.size() - kChecksumBytes));

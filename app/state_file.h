@@ -1,10 +1,11 @@
 // state.bin: what a run goes on from.
 //
-// Little-endian: "RITZSTAT", version (u32), scene (u64), newton, linear, not_converged, splits (i64), min_J (f64),
-// every field of the state in the order of sim::for_each_field (integers i64, numbers f64, vectors their length as u64
-// and their numbers), FNV-1a of all before it (u64).
+// Little-endian: "RITZSTAT", version (u32), scene (u64), newton, linear, not_converged, splits (i64), min_J, largest
+// (f64, 4 of them), every field of the state in the order of sim::for_each_field (integers i64, numbers f64, vectors
+// their length as u64 and their numbers), FNV-1a of all before it (u64).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -16,11 +17,12 @@ namespace app {
 
 // What a run has added up over its steps.
 struct Totals {
-  std::int64_t newton = 0;         // Newton iterations
-  std::int64_t linear = 0;         // iterations of the linear solver
-  std::int64_t not_converged = 0;  // steps whose equations were not solved to the tolerance
-  std::int64_t splits = 0;         // times that a step, or a part of it, was repeated in halves
-  double min_J = 1;                // smallest det F on the way
+  std::int64_t newton = 0;          // Newton iterations
+  std::int64_t linear = 0;          // iterations of the linear solver
+  std::int64_t not_converged = 0;   // steps whose equations were not solved to the tolerance
+  std::int64_t splits = 0;          // times that a step, or a part of it, was repeated in halves
+  double min_J = 1;                 // smallest det F on the way
+  std::array<double, 4> largest{};  // by sim::Quantity: reach_of what frames have shown (app/colour_values.h)
 };
 
 struct SavedRun {

@@ -24,8 +24,9 @@ int pieces_per_edge(const sim::Mesh& mesh, Eigen::Index facets) {
 
 class Surface::Builder {
  public:
-  Builder(Surface& surface, int node_count, int pieces)
-      : surface_(surface), vertex_of_node_(static_cast<std::size_t>(node_count), -1), pieces_(pieces) {}
+  Builder(Surface& surface, int node_count, int pieces) : surface_(surface), pieces_(pieces) {
+    surface_.vertex_of_node_.assign(static_cast<std::size_t>(node_count), -1);
+  }
 
   void add_facet(std::span<const int> nodes) {
     if (nodes.size() == 4) {
@@ -61,7 +62,7 @@ class Surface::Builder {
   }
 
   int node_vertex(int node) {
-    int& vertex = vertex_of_node_[static_cast<std::size_t>(node)];
+    int& vertex = surface_.vertex_of_node_[static_cast<std::size_t>(node)];
     if (vertex < 0) vertex = add_vertex(std::array{node}, std::array{1.0});
     return vertex;
   }
@@ -137,13 +138,13 @@ class Surface::Builder {
   }
 
   Surface& surface_;
-  std::vector<int> vertex_of_node_;
   std::map<std::pair<int, int>, Line> lines_;
   int pieces_;
 };
 
 Surface::Surface(const sim::Mesh& mesh) {
   const Eigen::MatrixXi facets = sim::surface_facets(mesh);
+  linear_ = pieces_per_edge(mesh, facets.cols()) == 1;
   Builder builder(*this, mesh.node_count(), pieces_per_edge(mesh, facets.cols()));
   for (Eigen::Index f = 0; f < facets.cols(); ++f) {
     builder.add_facet({facets.col(f).data(), static_cast<std::size_t>(facets.rows())});
@@ -154,6 +155,11 @@ Surface::Surface(const sim::Mesh& mesh) {
   for (Eigen::Index f = 0; f < rim.cols(); ++f) {
     builder.add_rim({rim.col(f).data(), static_cast<std::size_t>(rim.rows())});
   }
+}
+
+int Surface::vertex_of(int node) const {
+  const bool known = node >= 0 && node < static_cast<int>(vertex_of_node_.size());
+  return known ? vertex_of_node_[static_cast<std::size_t>(node)] : -1;
 }
 
 std::vector<float> Surface::points(const Eigen::Ref<const Eigen::MatrixXd>& positions) const {

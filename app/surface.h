@@ -24,6 +24,11 @@ class Surface {
   // Pairs of vertices along the rim of a plane mesh; empty in 3D.
   const std::vector<std::uint32_t>& outline() const { return outline_; }
 
+  // Whether its facets are flat by themselves, so that what is round has to be made so.
+  bool is_linear() const { return linear_; }
+  // The vertex at a node of the mesh; -1 where the node is inside.
+  int vertex_of(int node) const;
+
   // x, y, z of each vertex from positions per node, dimension x nodes; z = 0 in 2D.
   std::vector<float> points(const Eigen::Ref<const Eigen::MatrixXd>& positions) const;
   // One number per vertex from one number per node.
@@ -33,6 +38,8 @@ class Surface {
   class Builder;
 
   // Vertex v = sum of weights_[k] times node nodes_[k], k from starts_[v] to starts_[v + 1].
+  bool linear_ = true;
+  std::vector<int> vertex_of_node_;  // -1: inside
   std::vector<int> starts_ = {0};
   std::vector<int> nodes_;
   std::vector<double> weights_;

@@ -17,18 +17,25 @@ std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box) {
   return points;
 }
 
-// Radius of the ball around `centre` that holds the box.
-double radius_around(const Vec3& centre, const Eigen::AlignedBox3d& box) {
-  double radius = 0;
-  for (const Vec3& corner : corners(box)) radius = std::max(radius, (corner - centre).norm());
-  return radius > 0 ? radius : 1.0;
-}
-
 // From the front, a little from the side and from above.
 Vec3 usual_direction(const Vec3& up) {
   const Vec3 front = std::abs(up.z()) < 0.9 ? Vec3::UnitZ() : Vec3(-Vec3::UnitY());
   const Vec3 side = up.cross(front).normalized();
   return (side.cross(up) + 0.45 * side + 0.35 * up).normalized();
+}
+
+// How far from the target an eye in this direction sees the whole box: a point p (from the target) is seen where
+// |p.side| <= (distance - p.direction) tan(half angle), for both sides of the picture.
+double fitting_distance(const Eigen::AlignedBox3d& box, const Vec3& target, const Vec3& direction, const Vec3& up,
+                        double tan_width, double tan_height) {
+  const Vec3 right = up.cross(direction).normalized(), upright = direction.cross(right);
+  double distance = 0;
+  for (const Vec3& corner : corners(box)) {
+    const Vec3 p = corner - target;
+    const double needed = std::max(std::abs(p.dot(right)) / tan_width, std::abs(p.dot(upright)) / tan_height);
+    distance = std::max(distance, p.dot(direction) + kMargin * needed);
+  }
+  return distance > 0 ? distance : 1.0;
 }
 
 render::Camera plane_view(const Camera& camera, const Vec3& target, const Eigen::AlignedBox3d& box, double aspect) {
@@ -65,20 +72,25 @@ Eigen::AlignedBox3d rest_box(std::span<const sim::BodyRange> bodies) {
 render::Camera view_of(const Camera& camera, const Eigen::AlignedBox3d& box, int dimension, double aspect) {
   const Vec3 target = camera.target.value_or(box.center());
   if (dimension == 2) return plane_view(camera, target, box, aspect);
-  // A ball of radius r just fits an opening angle 2a at distance r / sin a; in an upright picture the width decides.
-  const double half_height = camera.fov / 2 * std::numbers::pi / 180;
-  const double half_angle = std::min(half_height, std::atan(aspect * std::tan(half_height)));
-  const double distance = kMargin * radius_around(target, box) / std::sin(half_angle);
+  const double tan_height = std::tan(camera.fov / 2 * std::numbers::pi / 180);
+  const Vec3 direction = usual_direction(camera.up);
+  const double distance = fitting_distance(box, target, direction, camera.up, aspect * tan_height, tan_height);
   render::Camera view;
   view.target = to_point(target);
-  view.eye = to_point(camera.eye.value_or(target + distance * usual_direction(camera.up)));
+  view.eye = to_point(camera.eye.value_or(target + distance * direction));
   view.up = to_point(camera.up);
   view.field_of_view = static_cast<float>(camera.fov);
   return view;
 }
 
-std::optional<render::Ground> ground_of(const Look& look, const Vec3& up, const Eigen::AlignedBox3d& box) {
+std::optional<render::Ground> ground_of(const Look& look, const Vec3& up, const Eigen::AlignedBox3d& box,
+                                        std::span<const sim::Obstacle> obstacles) {
   if (!look.ground) return std::nullopt;
+  const auto is_floor = [&](const sim::Obstacle& obstacle) {
+    const auto* plane = std::get_if<sim::Plane>(&obstacle.shape);
+    return plane != nullptr && plane->normal.dot(up) > 0.7;
+  };
+  if (look.obstacles && !look.ground_height && std::ranges::any_of(obstacles, is_floor)) return std::nullopt;
   double lowest = up.dot(box.min());
   for (const Vec3& corner : corners(box)) lowest = std::min(lowest, up.dot(corner));
   // A gap that cannot be seen, but keeps the floor from flickering through the faces that lie on it.

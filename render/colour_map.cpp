@@ -57,8 +57,8 @@ Eigen::Vector3f to_linear(const Colour& srgb) {
   return {to_linear(srgb[0]), to_linear(srgb[1]), to_linear(srgb[2])};
 }
 
-std::vector<std::string> colour_map_names() {
-  std::vector<std::string> names;
+std::vector<std::string_view> colour_map_names() {
+  std::vector<std::string_view> names;
   for (const NamedMap& map : maps) names.emplace_back(map.name);
   return names;
 }

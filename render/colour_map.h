@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/frame.h"
@@ -17,7 +18,7 @@ Eigen::Vector3f to_linear(const Colour& srgb);
 
 // viridis, cividis, magma, plasma: lightness rises evenly, told apart by the colour-blind.
 // blue-red: for signed values, light in the middle.
-std::vector<std::string> colour_map_names();
+std::vector<std::string_view> colour_map_names();
 
 // The colour at t, 0 (low) to 1 (high), clamped. Throws std::invalid_argument for a name that is not in the list.
 Colour colour_at(const std::string& map, float t);

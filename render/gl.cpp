@@ -1,5 +1,6 @@
 #include "render/gl.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -135,6 +136,20 @@ void check_framebuffer(const GladGLContext& gl, const char* what) {
 void fill_buffer(const GladGLContext& gl, GLenum target, const GlObject& buffer, const void* data, std::size_t bytes) {
   gl.BindBuffer(target, buffer.name());
   gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+}
+
+Image read_pixels(const GladGLContext& gl, int width, int height) {
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  Image image{width, height, std::vector<std::uint8_t>(row * static_cast<std::size_t>(height))};
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  // GL counts rows from below.
+  auto top = image.rgba.begin(), bottom = image.rgba.end();
+  for (int y = 0; y < height / 2; ++y, top += static_cast<std::ptrdiff_t>(row)) {
+    bottom -= static_cast<std::ptrdiff_t>(row);
+    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+  }
+  return image;
 }
 
 }  // namespace render

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/context.h"
+#include "render/image.h"
 
 namespace render {
 
@@ -87,5 +88,8 @@ void check_framebuffer(const GladGLContext& gl, const char* what);
 // Puts `bytes` bytes into the buffer bound to `target`; its old storage is given up, so a frame in flight is not
 // waited for.
 void fill_buffer(const GladGLContext& gl, GLenum target, const GlObject& buffer, const void* data, std::size_t bytes);
+
+// The pixels of the bound framebuffer.
+Image read_pixels(const GladGLContext& gl, int width, int height);
 
 }  // namespace render

@@ -25,6 +25,12 @@ class Renderer {
   // a camera without a direction.
   Image draw(const Frame& frame);
 
+  // The same in two parts: paint, then read the pixels, or copy them to the default framebuffer of the context (a
+  // window's), `x` pixels from its left edge. That framebuffer is bound then, for what stands beside the picture.
+  void paint(const Frame& frame);
+  Image read() const;
+  void present(int x) const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -81,6 +81,8 @@ void draw_series(const Page& page, const Strip& strip, const Series& series, ImV
   flush();
 }
 
+}  // namespace
+
 void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high) {
   const float small = 0.72F * page.size;
   page.lay_plate(low, high);
@@ -110,8 +112,6 @@ void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high) {
                 line_colours[i % line_colours.size()]);
   }
 }
-
-}  // namespace
 
 ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips) {
   if (strips.empty()) return {page.width, page.height};

@@ -10,4 +10,7 @@ namespace render {
 // drawn, the picture's lower right corner without strips.
 ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips);
 
+// Draws one between two corners.
+void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high);
+
 }  // namespace render

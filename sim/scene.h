@@ -32,11 +32,12 @@ struct Time {
 };
 
 struct Solver {
-  std::string linear = "cholmod";      // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
+  std::string linear = "auto";         // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
   double tolerance = 1e-4;             // body sizes per second: Newton stops when max |dx|/(g h) is below it
   int max_iterations = 50;             // Newton iterations per stage
   std::string definiteness = "clamp";  // "clamp" | "abs" | "none"
   std::string on_failure = "split";    // "split" | "accept" | "stop": a step whose equations are not solved
+  int lag_iterations = 0;              // how often damping and friction are evaluated anew at a stage's solution
 };
 
 struct World {

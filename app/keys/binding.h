@@ -178,6 +178,7 @@ std::vector<Key> load_keys();
 std::vector<Key> obstacle_keys();
 std::vector<Key> spring_keys();
 std::vector<Key> probe_keys();
+std::vector<Key> camera_keys();
 std::vector<Key> look_keys();
 
 }  // namespace app

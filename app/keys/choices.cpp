@@ -1,5 +1,6 @@
 #include "app/keys/choices.h"
 
+#include "render/colour_map.h"
 #include "sim/element/list.h"
 #include "sim/material/list.h"
 #include "sim/start/start.h"
@@ -54,6 +55,18 @@ std::vector<std::string_view> mass_names() {
 
 std::vector<std::string_view> colour_names() {
   return {"plain", "stress", "stretch", "energy", "J"};
+}
+
+std::vector<std::string_view> colour_map_choices() {
+  return render::colour_map_names();
+}
+
+std::vector<std::string_view> background_names() {
+  return {"studio", "paper"};
+}
+
+std::vector<std::string_view> finish_names() {
+  return {"rubber", "jelly"};
 }
 
 }  // namespace app

@@ -15,5 +15,8 @@ std::vector<std::string_view> material_names();
 std::vector<std::string_view> element_names();
 std::vector<std::string_view> mass_names();
 std::vector<std::string_view> colour_names();
+std::vector<std::string_view> colour_map_choices();
+std::vector<std::string_view> background_names();
+std::vector<std::string_view> finish_names();
 
 }  // namespace app

@@ -10,7 +10,8 @@ std::vector<Key> load_keys() {
                              .binding = length<body_of, &sim::Body::tractions>}};
   append(table, where_keys<traction_of, &sim::Traction::where>(
                     {"body[].traction[].box", "body[].traction[].sphere", "body[].traction[].group"},
-                    {"The boundary facets inside a box at rest: [lowest corner, highest corner].",
+                    {"The boundary facets inside a box at rest: [lowest corner, highest corner]. Of a membrane: its "
+                     "faces, or its edges where no face is inside.",
                      "The boundary facets inside a sphere at rest: [centre, radius].",
                      "The boundary facets of a group of the mesh."}));
   append(table, {{.path = "body[].traction[].value",

@@ -93,6 +93,13 @@ std::vector<Key> time_keys() {
        .range = between(1, 100000),
        .meaning = "Newton iterations per stage; where they do not suffice, the step is reported as not converged.",
        .binding = field<solver_of, &sim::Solver::max_iterations>},
+      {.path = "solver.lag_iterations",
+       .kind = Kind::integer,
+       .range = between(0, 100),
+       .meaning =
+           "The stiffness in beta damping and the pressure in friction are those of the step's start, which costs an "
+           "order of accuracy in them; this many times they are evaluated anew at a stage's solution.",
+       .binding = field<solver_of, &sim::Solver::lag_iterations>},
       {.path = "solver.definiteness",
        .kind = Kind::choice,
        .choices = definiteness_names,

@@ -52,7 +52,7 @@ struct Linear {
     t.V = Mat<T, M, M>::identity();
     for (int i = 0; i < M; ++i) {
       for (int j = 0; j < M; ++j) t.stretch(i, j) = T(lambda + (i == j ? 2 * mu : 0));
-      t.normal[i] = T(0);
+      if constexpr (D > M) t.normal[i] = T(0);
     }
     for (int k = 0; k < Tangent<T, D, M>::pairs; ++k) {
       t.symmetric[k] = T(2 * mu);

@@ -80,7 +80,8 @@ struct Isotropic {
       t.symmetric[k] = d.minus[k];
       t.antisymmetric[k] = d.plus[k];
     }
-    for (int i = 0; i < M; ++i) t.normal[i] = d.over[i];
+    if constexpr (D > M)
+      for (int i = 0; i < M; ++i) t.normal[i] = d.over[i];
   }
 };
 

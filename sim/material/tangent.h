@@ -26,7 +26,7 @@ struct Tangent {
   Mat<T, M, M> V;
   Mat<T, M, M> stretch;
   T symmetric[pairs], antisymmetric[pairs];
-  T normal[M];  // unused where M == D
+  T normal[D > M ? M : 1];  // unused where M == D
 };
 
 template <int M>

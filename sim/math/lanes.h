@@ -3,7 +3,17 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <experimental/simd>
+#include <utility>
+
+// Before a function: every call in it is inlined, as lanes that pass through memory take half as long again. Not where
+// memory is checked: the code would grow beyond what compiles in minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define SIM_FLATTEN
+#else
+#define SIM_FLATTEN [[gnu::flatten]]
+#endif
 
 namespace sim {
 
@@ -55,6 +65,37 @@ T maximum(const T& a, const T& b) {
 template <class T>
 T with_sign(const T& a, const T& b) {
   return select(b < T(0), -absolute(a), absolute(a));
+}
+
+// to += from, n numbers
+template <int n>
+void add(const double* from, double* to) {
+  constexpr std::experimental::element_aligned_tag anywhere;
+  constexpr int whole = n / lane_count * lane_count;
+  for (int i = 0; i < whole; i += lane_count)
+    (Lanes(to + i, anywhere) + Lanes(from + i, anywhere)).copy_to(to + i, anywhere);
+  for (int i = whole; i < n; ++i) to[i] += from[i];
+}
+
+// Transposes a square of lanes in place: rows[i][k] <-> rows[k][i]. Each round interleaves row i with row i + n/2,
+// which turns the 2 log2 n bits of an entry's address (row, lane) by one; after log2 n rounds row and lane have changed
+// places.
+inline void transpose(Lanes (&rows)[lane_count]) {
+  typedef double Row __attribute__((vector_size(sizeof(Lanes))));
+  constexpr int n = lane_count;
+  Row from[n], to[n];
+  std::memcpy(from, rows, sizeof from);
+  const auto interleave = [&]<int... k>(std::integer_sequence<int, k...>) {
+    for (int i = 0; i < n / 2; ++i) {
+      to[2 * i] = __builtin_shufflevector(from[i], from[i + n / 2], (k / 2 + k % 2 * n)...);
+      to[2 * i + 1] = __builtin_shufflevector(from[i], from[i + n / 2], (n / 2 + k / 2 + k % 2 * n)...);
+    }
+  };
+  for (int round = 1; round < n; round *= 2) {
+    interleave(std::make_integer_sequence<int, n>());
+    std::memcpy(from, to, sizeof from);
+  }
+  std::memcpy(rows, from, sizeof from);
 }
 
 }  // namespace sim

@@ -32,15 +32,22 @@ T dot_columns(const Mat<T, R, C>& A, int p, int q) {
   return sum;
 }
 
-// The rotation that makes a symmetric 2 x 2 matrix [app apq; apq aqq] diagonal: t = tan, |t| <= 1.
+// The rotation by theta, |theta| <= pi/4, that makes a symmetric 2 x 2 matrix [app apq; apq aqq] nearly diagonal:
+//   tan 2 theta = y/x,  x = |aqq - app|,  y = 2 apq with the sign of aqq - app
+//   tan theta/2 ~ n/m,  n = y (x + b |y|),  m = 4 x^2 + 4 b x |y| + 5/4 y^2,  b = 5/4 tan pi/8
+// The quotient has the exact limits at y = 0 (to third order) and x = 0, and is at most 5 per cent off between; cosine
+// and sine of the half-angle formulas are those of a rotation whatever it is, and cost one division and no root. What
+// is left off the diagonal is for the next sweep. Below 1e-25 or so nothing is rotated.
 template <class T>
 void jacobi_rotation(const T& app, const T& aqq, const T& apq, T& c, T& s) {
-  const T d = aqq - app, two_apq = apq + apq;
-  const T denominator = absolute(d) + square_root(d * d + two_apq * two_apq);
-  const T safe = select(denominator > T(0), denominator, T(1));
-  const T t = with_sign(T(1), d) * two_apq / safe;
-  c = T(1) / square_root(T(1) + t * t);
-  s = c * t;
+  constexpr double b = 1.25 * 0.41421356237309503;
+  const T d = aqq - app, x = absolute(d), y = with_sign(T(2), d) * apq, size_y = absolute(y);
+  const T n = y * (x + T(b) * size_y), m = T(4) * x * (x + T(b) * size_y) + T(1.25) * y * y;
+  const T nn = n * n, mm = m * m, sum = mm + nn;
+  const auto rotated = sum > T(1e-200);
+  const T over = T(1) / select(rotated, sum, T(1));
+  c = select(rotated, (mm - nn) * over, T(1));
+  s = select(rotated, (m + m) * n * over, T(0));
 }
 
 // Columns of B are orthogonal to 1e-14 of their lengths.

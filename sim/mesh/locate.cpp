@@ -131,13 +131,19 @@ Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
     if (group.facets.cols() > 0) return group.facets;
   }
   const auto in = inside(mesh, region);
-  const Eigen::MatrixXi all = boundary_facets(mesh);
-  std::vector<int> chosen;
-  for (int f = 0; f < all.cols(); ++f) {
-    const auto facet = all.col(f);
-    if (std::all_of(facet.begin(), facet.end(), [&](int n) { return in[n]; })) chosen.push_back(f);
+  const auto chosen_of = [&](const Eigen::MatrixXi& all) -> Eigen::MatrixXi {
+    std::vector<int> chosen;
+    for (int f = 0; f < all.cols(); ++f) {
+      const auto facet = all.col(f);
+      if (std::all_of(facet.begin(), facet.end(), [&](int n) { return in[n]; })) chosen.push_back(f);
+    }
+    return all(Eigen::all, chosen);
+  };
+  if (mesh.dimension() == 3 && info(mesh.kind).dimension == 2) {
+    const Eigen::MatrixXi faces = chosen_of(mesh.elements);
+    if (faces.cols() > 0) return faces;
   }
-  return all(Eigen::all, chosen);
+  return chosen_of(boundary_facets(mesh));
 }
 
 }  // namespace sim

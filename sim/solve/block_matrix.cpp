@@ -39,7 +39,20 @@ BlockPattern Coupling::pattern() const {
     pattern.column.insert(pattern.column.end(), row.begin(), row.end());
     pattern.start.push_back(static_cast<int>(pattern.column.size()));
   }
+  for (int i = 0; i < nodes_; ++i)
+    for (int k = pattern.start[i]; pattern.column[k] < i; ++k)
+      pattern.below.push_back({k, pattern.slot(pattern.column[k], i)});
   return pattern;
+}
+
+void BlockMatrix::mirror(int threads) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t m = 0; m < pattern_->below.size(); ++m) {
+    double* to = block(pattern_->below[m].slot);
+    const double* from = block(pattern_->below[m].upper);
+    for (int i = 0; i < D_; ++i)
+      for (int j = 0; j < D_; ++j) to[j * D_ + i] = from[i * D_ + j];
+  }
 }
 
 namespace {
@@ -60,6 +73,13 @@ void multiply_blocks(const BlockPattern& pattern, const double* values, const do
 }
 
 }  // namespace
+
+void BlockMatrix::diagonal(Eigen::VectorXd& d) const {
+  for (int i = 0; i < pattern_->rows(); ++i) {
+    const double* own = block(pattern_->slot(i, i));
+    for (int c = 0; c < D_; ++c) d[static_cast<Eigen::Index>(i) * D_ + c] = own[c * D_ + c];
+  }
+}
 
 void BlockMatrix::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y, int threads) const {
   if (D_ == 2)

@@ -13,6 +13,12 @@ struct BlockPattern {
   std::vector<int> start;  // row i holds column[start[i]] ... column[start[i+1]-1]
   std::vector<int> column;
 
+  // For each block below the diagonal, row by row: its slot and that of the block it mirrors.
+  struct Mirrored {
+    int slot, upper;
+  };
+  std::vector<Mirrored> below;
+
   int rows() const { return static_cast<int>(start.size()) - 1; }
   int blocks() const { return static_cast<int>(column.size()); }
   // Position of block (i, j) in `column`; it must exist.
@@ -45,6 +51,9 @@ class BlockMatrix {
   const double* block(int slot) const { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }
 
   void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+  // Terms fill the blocks (i, j) with i <= j; this copies them to (j, i).
+  void mirror(int threads);
+  void diagonal(Eigen::VectorXd& d) const;
   // y = A p
   void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y, int threads) const;
 

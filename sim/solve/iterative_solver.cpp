@@ -13,9 +13,14 @@ LinearResult IterativeSolver::solve(const TangentOperator& A, const Linearisatio
 
 LinearResult IterativeSolver::solve_within(int most, const TangentOperator& A, const Eigen::VectorXd& r,
                                            double tolerance, Eigen::VectorXd& dx) {
-  A.diagonal(inverse_diagonal_);
+  if (matrix_) {
+    A.assemble(*matrix_);
+    matrix_->diagonal(inverse_diagonal_);
+    inverse_diagonal_.array() = inverse_diagonal_.array() * A.free().array() + (1 - A.free().array());
+  } else {
+    A.diagonal(inverse_diagonal_);
+  }
   inverse_diagonal_ = inverse_diagonal_.array().abs().inverse();
-  if (matrix_) A.assemble(*matrix_);
   const auto multiply = [&](const Eigen::VectorXd& p, Eigen::VectorXd& Ap) {
     if (!matrix_) return A.multiply(p, Ap);
     matrix_->multiply(p, Ap, A.threads());

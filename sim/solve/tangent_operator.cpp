@@ -1,5 +1,7 @@
 #include "sim/solve/tangent_operator.h"
 
+#include <algorithm>
+
 namespace sim {
 
 TangentOperator::TangentOperator(const System::Parts& parts, int threads)
@@ -9,6 +11,10 @@ TangentOperator::TangentOperator(const System::Parts& parts, int threads)
 
 void TangentOperator::begin_step(const Motion& start) {
   for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->begin_step(start, *stores_[k]);
+}
+
+bool TangentOperator::lags() const {
+  return std::any_of(parts_.terms.begin(), parts_.terms.end(), [](const auto& term) { return term->lags(); });
 }
 
 void TangentOperator::linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f) {
@@ -52,6 +58,7 @@ void TangentOperator::assemble(BlockMatrix& A) const {
   A.set_zero();
   for (const Mass& mass : parts_.masses) mass.add_matrix(mass_, A);
   for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_matrix(*stores_[k], 1, A);
+  A.mirror(threads_);
 }
 
 }  // namespace sim

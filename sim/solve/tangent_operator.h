@@ -14,6 +14,7 @@ class TangentOperator {
 
   // Terms freeze what they keep for a step.
   void begin_step(const Motion& start);
+  bool lags() const;  // some term does
   // Linearises every term at the motion; mass: c [1/s^2]. f = -grad U (not restricted).
   void linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f);
   // f = -grad U

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <numeric>
 
 #include "sim/mesh/geometry.h"
 #include "sim/term/elastic.h"
@@ -55,17 +56,22 @@ ElementBatches<Element, D> build_batches(const ElasticInput& input, bool framed)
     const int batch = e / lane_count, lane = e % lane_count;
     const int number = input.elements[std::min(e, b.count - 1)];
     b.element.push_back(number);
+    // F = x_e G and f_e = -w P G^T know no order of the nodes: rising numbers put every block in the upper half.
+    std::array<int, N> order;
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](int i, int j) { return mesh.elements(i, number) < mesh.elements(j, number); });
     Eigen::Matrix<double, D, N> X_e = Eigen::Matrix<double, D, N>::Zero();
     for (int a = 0; a < N; ++a) {
-      const int node = mesh.elements(a, number);
-      b.node[(static_cast<std::size_t>(batch) * N + a) * lane_count + lane] = input.first_node + node;
-      X_e.col(a).head(mesh.dimension()) = mesh.X.col(node);
+      X_e.col(a).head(mesh.dimension()) = mesh.X.col(mesh.elements(a, number));
+      b.node[(static_cast<std::size_t>(batch) * N + a) * lane_count + lane] =
+          input.first_node + mesh.elements(order[a], number);
     }
     for (int q = 0; q < Q; ++q) {
       const RestPoint<Element, D> rest(X_e, Element::rule[q], input.body.thickness);
       const std::size_t point = static_cast<std::size_t>(batch) * Q + q;
       for (int a = 1; a < N; ++a)
-        for (int m = 0; m < M; ++m) b.gradient[(point * (N - 1) + a - 1) * M + m][lane] = rest.G(a, m);
+        for (int m = 0; m < M; ++m) b.gradient[(point * (N - 1) + a - 1) * M + m][lane] = rest.G(order[a], m);
       b.weight[point][lane] = e < b.count ? rest.w : 0.0;
       if (framed)
         for (int i = 0; i < D; ++i)

@@ -141,24 +141,29 @@ class ElasticBlock : public ElasticTerm {
     }
   }
 
-  void add_batch(const Tangents& s, double scale, int batch, BlockMatrix& A) const {
+  // The blocks (a, b), a <= b, which lie in the matrix's upper half; lane by lane after a transposition.
+  SIM_FLATTEN void add_batch(const Tangents& s, double scale, int batch, BlockMatrix& A) const {
+    constexpr int pairs = N * (N + 1) / 2, entries = pairs * D * D;
+    constexpr int groups = (entries + lane_count - 1) / lane_count;
+    const int lanes = elements_.lanes_in(batch);
+    const int* slot = elements_.slots(batch);
     Mat<Lanes, D, D> K[N][N];
     stiffness(s, scale, batch, K);
-    const int lanes = elements_.lanes_in(batch);
-    const int* slot = elements_.slot.data() + static_cast<std::size_t>(batch) * lane_count * N * N;
-    for (int k = 0; k < lanes; ++k, slot += N * N)
-      for (int a = 0; a < N; ++a) {
-        for (int b = 0; b < a; ++b) {
-          double* block = A.block(slot[a * N + b]);
-          for (int i = 0; i < D; ++i)
-            for (int j = 0; j < D; ++j) block[i * D + j] += K[b][a](j, i)[k];
-        }
-        for (int b = a; b < N; ++b) {
-          double* block = A.block(slot[a * N + b]);
-          for (int i = 0; i < D; ++i)
-            for (int j = 0; j < D; ++j) block[i * D + j] += K[a][b](i, j)[k];
-        }
-      }
+    Lanes group[groups][lane_count];  // [group][entry in it][element]
+    int entry = 0;
+    for (int a = 0; a < N; ++a)
+      for (int b = a; b < N; ++b)
+        for (int i = 0; i < D; ++i)
+          for (int j = 0; j < D; ++j, ++entry) group[entry / lane_count][entry % lane_count] = K[a][b](i, j);
+    for (; entry < groups * lane_count; ++entry) group[entry / lane_count][entry % lane_count] = 0.0;
+    double own[lane_count][groups * lane_count];  // [element][entry]
+    for (int g = 0; g < groups; ++g) {
+      transpose(group[g]);
+      for (int k = 0; k < lane_count; ++k)
+        group[g][k].copy_to(own[k] + g * lane_count, std::experimental::element_aligned);
+    }
+    for (int k = 0; k < lanes; ++k)
+      for (int pair = 0; pair < pairs; ++pair) add<D * D>(own[k] + pair * D * D, A.block(*slot++));
   }
 };
 
@@ -180,6 +185,23 @@ class Elastic final : public ElasticBlock<Element, D> {
     return F;
   }
   const Mat<Lanes, D, D>& frame(int batch, int q) const { return elements_.frame[batch * Q + q]; }
+
+  SIM_FLATTEN void linearise(int batch, const Motion& motion, Definiteness fix, Tangents& s, Eigen::VectorXd& f) const {
+    Lanes x_e[N - 1][D], f_e[N - 1][D] = {};
+    elements_.gather(batch, motion.x.data(), x_e);
+    for (int q = 0; q < Q; ++q) {
+      Tangent<Lanes, D, M>& t = s.tangent[batch * Q + q];
+      Mat<Lanes, D, M> P;
+      material_.linearise(deformation(batch, q, x_e), P, t);
+      make_definite(t, fix);
+      if constexpr (framed) {
+        t.U = frame(batch, q) * t.U;
+        P = frame(batch, q) * P;
+      }
+      Elements::accumulate(P, elements_.G(batch, q), -elements_.w(batch, q), f_e);
+    }
+    elements_.scatter(batch, f_e, f.data());
+  }
 
  public:
   Elastic(const ElasticInput& input, const Lame& lame) : material_(lame, M), poisson_(input.material.poisson) {
@@ -224,22 +246,7 @@ class Elastic final : public ElasticBlock<Element, D> {
   void linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const override {
     Tangents& s = own(store);
     s.tangent.resize(static_cast<std::size_t>(elements_.batch_count()) * Q);
-    elements_.chunks->for_each_batch(s.threads, [&](int batch) {
-      Lanes x_e[N - 1][D], f_e[N - 1][D] = {};
-      elements_.gather(batch, motion.x.data(), x_e);
-      for (int q = 0; q < Q; ++q) {
-        Tangent<Lanes, D, M>& t = s.tangent[batch * Q + q];
-        Mat<Lanes, D, M> P;
-        material_.linearise(deformation(batch, q, x_e), P, t);
-        make_definite(t, fix);
-        if constexpr (framed) {
-          t.U = frame(batch, q) * t.U;
-          P = frame(batch, q) * P;
-        }
-        Elements::accumulate(P, elements_.G(batch, q), -elements_.w(batch, q), f_e);
-      }
-      elements_.scatter(batch, f_e, f.data());
-    });
+    elements_.chunks->for_each_batch(s.threads, [&](int batch) { linearise(batch, motion, fix, s, f); });
   }
 
   void add_node_values(const Eigen::VectorXd& x, Quantity quantity, Eigen::VectorXd& sums,

@@ -22,16 +22,19 @@ struct ElementBatches {
 
   std::vector<int> element;     // per batch and lane: number in the body's mesh; the last batch repeats its last one
   int count = 0;                // elements (the lanes beyond hold weight 0 and are not scattered)
-  std::vector<int> node;        // [batch][N][lane], node numbers of the system
+  std::vector<int> node;        // [batch][N][lane], node numbers of the system, rising within an element
   std::vector<Lanes> gradient;  // [batch][Q][N-1][M]: G of nodes 1...N-1 [1/m]; node 0 has minus their sum
   std::vector<Lanes> weight;    // [batch][Q]: w = quadrature weight x rest measure x thickness [m^3]
   std::vector<Mat<Lanes, D, D>> frame;  // [batch][Q]: rest tangents, then the normal, in columns; only where asked for
-  std::vector<int> slot;                // [batch][lane][N][N]: blocks of the matrix; empty where there is none
+  std::vector<int> slot;                // [element][a <= b]: blocks of the matrix; empty where there is none
   std::unique_ptr<Chunks> chunks;
 
   int batch_count() const { return static_cast<int>(weight.size()) / Q; }
   int lanes_in(int batch) const { return std::min(lane_count, count - batch * lane_count); }
   const int* nodes(int batch) const { return node.data() + static_cast<std::size_t>(batch) * N * lane_count; }
+  const int* slots(int batch) const {
+    return slot.data() + static_cast<std::size_t>(batch) * lane_count * N * (N + 1) / 2;
+  }
   const Lanes* G(int batch, int q) const {
     return gradient.data() + (static_cast<std::size_t>(batch) * Q + q) * (N - 1) * M;
   }
@@ -96,8 +99,8 @@ struct ElementBatches {
   void bind(const BlockPattern& pattern) {
     slot.clear();
     for_each_element([&](std::span<const int> own) {
-      for (const int a : own)
-        for (const int b : own) slot.push_back(pattern.slot(a, b));
+      for (int a = 0; a < N; ++a)
+        for (int b = a; b < N; ++b) slot.push_back(pattern.slot(own[a], own[b]));
     });
   }
 };

@@ -23,6 +23,7 @@ class ObstacleTerm final : public Term {
   TermInfo info() const override;
   std::unique_ptr<Store> make_store(int threads) const override;
   void begin_step(const Motion& start, Store& store) const override;
+  bool lags() const override { return obstacle_.friction > 0; }
   double energy(const Motion& motion, Store& store) const override;
   void add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const override;
   void linearise(const Motion& motion, Definiteness, Store& store, Eigen::VectorXd& f) const override;

@@ -36,6 +36,8 @@ class Term {
   }
   // Freezes what a term keeps fixed during a step (damping's tangent, friction's normal forces).
   virtual void begin_step(const Motion& /*start*/, Store&) const {}
+  // It freezes something.
+  virtual bool lags() const { return false; }
 
   // U [J]; +infinity where the term does not allow x.
   virtual double energy(const Motion& motion, Store& store) const = 0;
@@ -48,7 +50,7 @@ class Term {
   }
   // y += s K p, without a matrix
   virtual void add_product(const Store&, double /*s*/, const Eigen::VectorXd& /*p*/, Eigen::VectorXd& /*y*/) const {}
-  // A += s K
+  // A += s K, the blocks (i, j) with i <= j (BlockMatrix::mirror makes the others)
   virtual void add_matrix(const Store&, double /*s*/, BlockMatrix& /*A*/) const {}
   // d += s diag(K)
   virtual void add_diagonal(const Store&, double /*s*/, Eigen::VectorXd& /*d*/) const {}

@@ -8,7 +8,8 @@ namespace sim {
 
 class TractionLoad final : public Term {
  public:
-  // facets: nodes per facet x facets, numbers in the body's mesh. X (rest positions) must outlive the term.
+  // facets: nodes per facet x facets, numbers in the body's mesh; those of a membrane's elements are its faces. X (rest
+  // positions) must outlive the term.
   TractionLoad(const Body& body, const Traction& traction, const Eigen::MatrixXi& facets, int first_node,
                const Eigen::VectorXd& X, int D);
 
@@ -17,6 +18,8 @@ class TractionLoad final : public Term {
   void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
 
  private:
+  template <class Facet, int Dim>
+  void add_load(const Body& body, const Eigen::MatrixXi& facets, double thickness, int first_node, int D);
   double share(double t) const;
 
   std::string body_;

@@ -25,7 +25,8 @@ ImplicitStepper::ImplicitStepper(const System::Parts& parts, int threads)
       on_failure_(on_failure(parts.solver.on_failure)),
       newton_(parts, threads),
       begin_(most_halvings + 1) {
-  for (Eigen::VectorXd* v : {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &force_})
+  for (Eigen::VectorXd* v :
+       {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &x_lagged_, &v_lagged_, &force_})
     v->resize(parts.dofs());
 }
 
@@ -84,6 +85,15 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
       x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, begin.t + stage.end * h, scheme.one_iteration};
   guess(problem, scheme, h);
   if (!newton_.solve(problem, begin, x_, v_, next_.kept, report)) return false;
+  // What was frozen at the step's start cost an order of accuracy; frozen at the stage's solution it does not.
+  const int again = newton_.tangent().lags() && !scheme.one_iteration ? parts_.solver.lag_iterations : 0;
+  for (int k = 0; k < again; ++k) {
+    x_lagged_ = x_;
+    v_lagged_ = v_;
+    const Motion lagged{x_lagged_, v_lagged_, problem.t, 0};
+    newton_.tangent().begin_step(lagged);
+    if (!newton_.solve(problem, lagged, x_, v_, next_.kept, report)) return false;
+  }
   if (problem.gh != 0) {
     // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
     // the residual by the stiffness).

@@ -38,6 +38,7 @@ class ImplicitStepper final : public Stepper {
   Eigen::VectorXd x_star_, v_start_, impulse_;
   Eigen::VectorXd x_first_, v_first_, force_first_;  // first stage of two
   Eigen::VectorXd x_, v_, force_;                    // the stage under way
+  Eigen::VectorXd x_lagged_, v_lagged_;              // where the terms froze what they keep, if not at the start
 };
 
 }  // namespace sim

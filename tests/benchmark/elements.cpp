@@ -55,6 +55,7 @@ void force_and_clamped_stiffness_scattered(benchmark::State& state) {
   per_tet(state, [](Terms& t) {
     t.elastic.linearise(t.motion, sim::Definiteness::clamp, t.store, t.f);
     t.elastic.add_matrix(t.store, 1, t.matrix);
+    t.matrix.mirror(t.tangent.threads());
   });
 }
 void product_without_matrix(benchmark::State& state) {

@@ -63,7 +63,8 @@ TEST(ColourMap, UnknownNameIsRefusedWithTheKnownOnes) {
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("rainbow"), std::string::npos);
-    for (const std::string& name : render::colour_map_names()) {
+    for (const std::string_view known : render::colour_map_names()) {
+      const std::string name(known);
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << name;
     }
   }

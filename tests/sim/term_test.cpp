@@ -74,6 +74,7 @@ TEST_F(Terms, ProductDiagonalAndMatrixAreTheDerivativeOfTheForce) {
     EXPECT_LT((y / 2 - difference).norm(), 1e-4 * difference.norm() + 1e-3) << term.info().name;
     BlockMatrix A(*parts_.pattern, 3);
     term.add_matrix(store, 2, A);
+    A.mirror(1);
     Eigen::VectorXd Ap(x_.size());
     A.multiply(p_, Ap, 1);
     EXPECT_LT((Ap - y).norm(), 1e-11 * y.norm() + 1e-12) << term.info().name;
@@ -117,6 +118,29 @@ TEST(Traction, AddsUpToItsValueTimesTheArea) {
       }
       EXPECT_LT((sum - share * Vec3(30, -20, 50)).norm(), 1e-12) << element;
       EXPECT_LT(torque.norm(), 1e-12) << element;
+    }
+  }
+}
+
+// On a membrane a load per area acts on its faces; on its edges only where no face is inside the region.
+TEST(Traction, OnAMembraneActsOnItsFaces) {
+  for (const ElementKind kind : {ElementKind::tri3, ElementKind::tri6}) {
+    Scene scene;
+    Body body;
+    body.name = "sheet";
+    body.mesh = generate_sheet({2, 1}, {4, 2}, {1, 1}, kind);
+    body.thickness = 0.01;
+    body.materials = {MaterialSpec{"stable-neo-hookean", 1e6, 0.3, 1000, ""}};
+    scene.world.gravity = {0, 0, 0};
+    for (const auto& [low, area] : {std::pair{Vec3(-1, -1, -1), 2.0}, {Vec3(2, -1, -1), 0.01}}) {
+      body.tractions = {Traction{Box{low, {3, 2, 1}}, {0, 0, 50}, 0}};
+      scene.bodies = {body};
+      System system(scene);
+      const auto& term = *system.parts().terms[1];
+      const Eigen::VectorXd& X = system.parts().X;
+      Eigen::VectorXd f = Eigen::VectorXd::Zero(X.size());
+      term.add_forces({X, X, 1, 0}, *term.make_store(1), f);
+      EXPECT_NEAR(f.sum(), 50 * area, 1e-12);
     }
   }
 }

@@ -1,0 +1,77 @@
+#include "app/energies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <utility>
+
+namespace app {
+namespace {
+
+// "step,t,kinetic,elastic,potential,..."
+Energies from_row(const std::string& row, std::int64_t& step) {
+  const char* at = row.c_str();
+  char* end = nullptr;
+  const auto next = [&] {
+    const double number = std::strtod(at, &end);
+    at = *end == ',' ? end + 1 : end;
+    return number;
+  };
+  step = static_cast<std::int64_t>(next());
+  Energies now;
+  for (double* number : {&now.t, &now.kinetic, &now.elastic, &now.potential}) *number = next();
+  return now;
+}
+
+// A prefix for the unit, by the largest number.
+std::pair<const char*, double> unit_for(double largest) {
+  if (largest >= 1e6) return {"MJ", 1e-6};
+  if (largest >= 1e3) return {"kJ", 1e-3};
+  if (largest >= 1 || largest == 0) return {"J", 1};
+  if (largest >= 1e-3) return {"mJ", 1e3};
+  return {"\u00b5J", 1e6};
+}
+
+}  // namespace
+
+Energies energies_of(const sim::System& system, const sim::State& state) {
+  const sim::Measures now = system.measure(state);
+  return {system.time(state.step), now.kinetic, now.elastic, now.potential};
+}
+
+std::vector<Energies> read_energies(const std::filesystem::path& steps_csv, const sim::System& system,
+                                    std::int64_t last_step) {
+  std::vector<Energies> energies = {energies_of(system, system.initial_state())};
+  std::ifstream file(steps_csv);
+  std::string row;
+  std::getline(file, row);
+  while (std::getline(file, row)) {
+    std::int64_t step = 0;
+    const Energies now = from_row(row, step);
+    if (step > last_step) break;
+    if (step % system.steps_per_frame() == 0) energies.push_back(now);
+  }
+  return energies;
+}
+
+render::Strip energy_strip(const std::vector<Energies>& energies, double until) {
+  double largest = 0;
+  for (const Energies& e : energies) {
+    largest = std::max({largest, e.kinetic, e.elastic, std::abs(e.potential)});
+  }
+  const auto [unit, factor] = unit_for(largest);
+  render::Strip strip;
+  strip.title = "energy";
+  strip.unit = unit;
+  strip.until = static_cast<float>(until);
+  strip.series = {{"kinetic", {}}, {"elastic", {}}, {"potential", {}}, {"total", {}}};
+  for (const Energies& e : energies) {
+    strip.times.push_back(static_cast<float>(e.t));
+    const double values[] = {e.kinetic, e.elastic, e.potential, e.kinetic + e.elastic + e.potential};
+    for (std::size_t i = 0; i < 4; ++i) strip.series[i].values.push_back(static_cast<float>(factor * values[i]));
+  }
+  return strip;
+}
+
+}  // namespace app

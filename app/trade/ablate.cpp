@@ -1,0 +1,100 @@
+#include "app/trade/ablate.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/number_text.h"
+#include "app/output_file.h"
+#include "app/trade/features.h"
+#include "app/trade/score.h"
+#include "app/trade/trade.h"
+
+namespace app {
+namespace {
+
+constexpr double kUnseen = 0.5;  // pixels
+
+// The scene without one feature, against the scene.
+struct Removal {
+  const CaseRun* run = nullptr;
+  double saved = 0;  // share of the scene's wall time
+  Apart change;
+};
+
+std::string line(const Removal& removal) {
+  const CaseRun& run = *removal.run;
+  if (run.status != Status::done) return "  " + run.which.label + ": " + run.reason + '\n';
+  const char* const verdict = removal.change.pixels < kUnseen ? "nothing that is seen: it can go" : "";
+  char text[240];
+  std::snprintf(text, sizeof text, "  %-46s %8.1f %10.3g %10.3g %10.3g  %s\n", run.which.label.c_str(),
+                100 * removal.saved, 100 * removal.change.rms, 100 * removal.change.max, removal.change.pixels,
+                verdict);
+  return text;
+}
+
+std::string csv_line(const Removal& removal) {
+  std::string text = "\"" + removal.run->which.label + "\"";
+  for (const double x :
+       {removal.run->work.median(), removal.saved, removal.change.rms, removal.change.max, removal.change.pixels}) {
+    text += ',';
+    if (removal.run->status == Status::done) append_number(text, x);
+  }
+  return text + '\n';
+}
+
+// As much of the scene as all runs can be made over in the time.
+void settle_stretch(Ground& ground, Notebook& notebook, std::size_t runs) {
+  constexpr double margin = 2;  // motion is slow at first; some settings are slower than the scene's
+  const double look = notebook.first_look({"the scene", Axis::scene, {}});
+  const double share = notebook.left() / (margin * look * static_cast<double>(runs));
+  if (share >= 1) return;
+  const auto frames = static_cast<std::int64_t>(share * static_cast<double>(ground.scene.last_frame()));
+  ground.stretch = stretch_of(ground, std::max<std::int64_t>(frames, 1));
+  std::cout << "note: only the first " << ground.seconds()
+            << " s are run: more does not fit into the time (--minutes)\n";
+}
+
+}  // namespace
+
+int ablate(const Options& options) {
+  const Interrupt interrupt;
+  Ground ground = make_ground(options);
+  const std::filesystem::path folder = trade_folder(options);
+  Notebook notebook(ground, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
+                    interrupt);
+  const std::vector<Case> cases = without_features(ground.scene.document);
+  std::vector<Removal> removals;
+  try {
+    settle_stretch(ground, notebook, cases.size() + 1);
+    const CaseRun& whole = notebook.run({"the scene", Axis::scene, {}}, notebook.left());
+    if (whole.status != Status::done) throw std::runtime_error(options.scene.string() + ": " + whole.reason);
+    Scorer scorer(ground);
+    References references;
+    references.check.frames = whole.path.frames();
+    scorer.set(references);
+    for (const Case& which : cases) {
+      const CaseRun& run = notebook.run(which, notebook.left());
+      Removal removal{&run, 1 - run.work.median() / whole.work.median(), {}};
+      if (run.status == Status::done) removal.change = scorer.apart(run, whole);
+      removals.push_back(removal);
+    }
+  } catch (const Interrupted&) {
+    return kInterrupted;
+  }
+  std::ranges::stable_sort(removals, {}, [](const Removal& r) { return r.change.pixels; });
+  std::string table, csv = "without,seconds_per_second,saved,change,change_max,change_pixels\n";
+  char head[200];
+  std::snprintf(head, sizeof head, "  %-46s %8s %10s %10s %10s\n", "the scene without", "saves %", "changes %",
+                "at most %", "pixels");
+  for (const Removal& removal : removals) {
+    table += line(removal);
+    csv += csv_line(removal);
+  }
+  write_atomically(folder / "ablate.csv", csv, false);
+  std::cout << head << table;
+  return kDone;
+}
+
+}  // namespace app

@@ -1,0 +1,59 @@
+// A case: the scene with some keys changed; and what running it has shown.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/options.h"
+#include "sim/compare/trajectory.h"
+
+namespace app {
+
+enum class Axis { scene, reference, time, mesh, rest, advice };
+
+// "scene", "reference", ...
+std::string_view axis_name(Axis axis);
+
+struct Case {
+  std::string label;  // "tr-bdf2 h=1/120"
+  Axis axis = Axis::time;
+  std::vector<std::pair<std::string, std::string>> settings;  // key, value: laid over the scene
+};
+
+// The options of the scene with the case's settings over them.
+Options options_of(const Options& scene, const Case& which);
+
+// "time.integrator=tr-bdf2;time.substeps=2"
+std::string settings_text(const Case& which);
+
+// The case with one more setting, which replaces one of the same key.
+Case with(Case which, const std::string& label, const std::string& key, const std::string& value);
+
+// Work per simulated second.
+struct Work {
+  std::vector<double> seconds;  // wall, stepping only, the first step of a run left out: one for each timed run
+  double steps = 0, newton = 0, force_evaluations = 0, factorisations = 0, linear = 0;
+
+  double median() const;
+  double least() const;
+};
+
+enum class Status { done, failed, skipped };
+
+struct CaseRun {
+  Case which;
+  std::uint64_t id = 0;  // of the scene with these settings, the frames compared and the program's version
+  Status status = Status::skipped;
+  std::string reason;    // why it failed or was skipped
+  double estimate = 0;   // s: what a run that was given up would have taken
+  sim::Trajectory path;  // of the scene's own nodes
+  Work work;
+  double step = 0;  // s, h
+  int order = 0;    // of the integrator
+  std::int64_t dofs = 0;
+  std::int64_t not_converged = 0;  // steps
+};
+
+}  // namespace app

@@ -1,0 +1,66 @@
+#include "app/trade/features.h"
+
+#include "app/scene_text.h"
+#include "sim/element/element.h"
+#include "sim/time/scheme.h"
+
+namespace app {
+namespace {
+
+Case without(const std::string& feature, const std::string& key, const std::string& value) {
+  return {feature, Axis::rest, {{key, value}}};
+}
+
+void add_body_features(const Document& scene, std::size_t b, std::vector<Case>& list) {
+  const sim::Body& body = scene.scene.bodies[b];
+  const std::string key = "body." + std::to_string(b) + ".", name = body.name + ": ";
+  const auto add = [&](bool has, const std::string& feature, const char* of, const std::string& value) {
+    if (has) list.push_back(without(name + feature, key + of, value));
+  };
+  const std::string element = scene.meshes[b].element, model = body.materials.front().model;
+  add(body.damping.alpha > 0, "damping alpha", "damping.alpha", "0");
+  add(body.damping.beta > 0, "damping beta", "damping.beta", "0");
+  add(body.mass == "consistent", "consistent mass (lumped instead)", "mass", "lumped");
+  add(!body.tractions.empty(), "tractions", "traction", "[]");
+  add(body.materials.size() > 1, "regions of other material", "region", "[]");
+  add(element == "tet10", "quadratic elements (tet4 instead)", "mesh.element", "tet4");
+  add(element == "tri6", "quadratic elements (tri3 instead)", "mesh.element", "tri3");
+  add(model != "linear", "nonlinear material (linear instead)", "material.model", "linear");
+}
+
+void add_obstacle_features(const Document& scene, std::vector<Case>& list) {
+  const auto count = static_cast<int>(scene.scene.obstacles.size());
+  for (int k = 0; k < count; ++k) {
+    const std::string name = "obstacle " + std::to_string(k);
+    list.push_back(without(name, "obstacle", list_toml(scene, "obstacle", k)));
+    if (scene.scene.obstacles[k].friction > 0)
+      list.push_back(without(name + ": friction", "obstacle." + std::to_string(k) + ".friction", "0"));
+  }
+}
+
+void add_step_features(const Document& scene, std::vector<Case>& list) {
+  const sim::Scheme& scheme = *sim::find_scheme(scene.scene.time.integrator);
+  if (scheme.stages.empty()) return;
+  if (scheme.order == 2)
+    list.push_back(without("second order in time (backward-euler instead)", "time.integrator", "backward-euler"));
+  if (scheme.order == 1 && !scheme.one_iteration)
+    list.push_back(without("Newton's method (linearly-implicit instead)", "time.integrator", "linearly-implicit"));
+  if (scene.scene.solver.definiteness != "none")
+    list.push_back(without("definiteness fix (exact tangent instead)", "solver.definiteness", "none"));
+  list.push_back(without("tolerance (1e-2 instead)", "solver.tolerance", "1e-2"));
+}
+
+}  // namespace
+
+std::vector<Case> without_features(const Document& scene) {
+  std::vector<Case> list;
+  if (scene.scene.world.gravity.norm() > 0)
+    list.push_back(without("gravity", "world.gravity", scene.scene.dimension == 2 ? "[0.0, 0.0]" : "[0.0, 0.0, 0.0]"));
+  for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) add_body_features(scene, b, list);
+  add_obstacle_features(scene, list);
+  if (!scene.scene.springs.empty()) list.push_back(without("springs", "spring", "[]"));
+  add_step_features(scene, list);
+  return list;
+}
+
+}  // namespace app

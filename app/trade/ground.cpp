@@ -1,0 +1,84 @@
+#include "app/trade/ground.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/checksum.h"
+#include "app/version.h"
+#include "app/view.h"
+
+namespace app {
+namespace {
+
+constexpr int kWidth = 1920, kHeight = 1080;
+constexpr std::int64_t kMostNumbers = 1 << 19;  // of a trajectory that is kept: 4 MB
+constexpr std::int64_t kLeastFrames = 24;       // ... but so many frames
+
+render::View screen_of(const Simulation& simulation) {
+  const Eigen::AlignedBox3d box = rest_box(simulation.system->bodies());
+  const double aspect = double(kWidth) / kHeight;
+  render::Bounds bounds;
+  bounds.add(render::to_vector(to_point(box.min())));
+  bounds.add(render::to_vector(to_point(box.max())));
+  return render::make_view(view_of(simulation.document.camera, box, simulation.system->dimension(), aspect),
+                           static_cast<float>(aspect), bounds);
+}
+
+}  // namespace
+
+double Ground::seconds() const {
+  return double(stretch.last) / scene.document.scene.time.fps;
+}
+
+Ground make_ground(const Options& options) {
+  Ground ground{options, build_simulation(options), {}, {}, {}};
+  if (ground.scene.document.scene.time.integrator == "static")
+    throw std::runtime_error(options.scene.string() +
+                             ": time.integrator = \"static\": there is no motion to trade; --set "
+                             "time.integrator=backward-euler steps it");
+  ground.points = sim::sample_points(*ground.scene.system);
+  ground.view = screen_of(ground.scene);
+  ground.stretch = stretch_of(ground, ground.scene.last_frame());
+  return ground;
+}
+
+Stretch stretch_of(const Ground& ground, std::int64_t frames) {
+  frames = std::clamp<std::int64_t>(frames, 1, std::max<std::int64_t>(ground.scene.last_frame(), 1));
+  const std::int64_t numbers = ground.points.X.size();
+  const std::int64_t most = std::max(kLeastFrames, kMostNumbers / std::max<std::int64_t>(numbers, 1));
+  const std::int64_t stride = (frames + most - 1) / most;
+  return {frames / stride * stride, stride};
+}
+
+std::uint64_t case_id(const Ground& ground, const Simulation& simulation) {
+  std::string text(kVersion);
+  for (const std::uint64_t number : {ground.scene.identity, simulation.identity, std::uint64_t(ground.stretch.last),
+                                     std::uint64_t(ground.stretch.stride)})
+    text += ' ' + std::to_string(number);
+  return checksum(text);
+}
+
+sim::Trajectory on_screen(const Ground& ground, const sim::Trajectory& path) {
+  sim::Trajectory screen;
+  screen.dimension = 2;
+  screen.t = path.t;
+  for (const Eigen::VectorXd& x : path.x) {
+    Eigen::VectorXd pixels(2 * ground.points.count());
+    for (int p = 0; p < ground.points.count(); ++p) {
+      Eigen::Vector3f point = Eigen::Vector3f::Zero();
+      point.head(path.dimension) = x.segment(Eigen::Index(p) * path.dimension, path.dimension).cast<float>();
+      pixels.segment<2>(2 * Eigen::Index(p)) = ground.view.to_window(point, kWidth, kHeight).head<2>().cast<double>();
+    }
+    screen.x.push_back(std::move(pixels));
+  }
+  return screen;
+}
+
+sim::SamplePoints screen_points(const Ground& ground) {
+  sim::SamplePoints points = ground.points;
+  points.dimension = 2;
+  points.size.setOnes();
+  return points;
+}
+
+}  // namespace app

@@ -1,0 +1,43 @@
+// What all cases of one trade have in common: the scene, the points and frames that are compared, the screen.
+#pragma once
+
+#include <cstdint>
+
+#include "app/simulation.h"
+#include "app/trade/case.h"
+#include "render/view.h"
+#include "sim/compare/sample.h"
+
+namespace app {
+
+// Frames stride, 2 stride, ... last are compared.
+struct Stretch {
+  std::int64_t last = 0, stride = 1;
+};
+
+struct Ground {
+  Options options;  // of the scene
+  Simulation scene;
+  sim::SamplePoints points;
+  render::View view;  // at 1080p
+  Stretch stretch;
+
+  double seconds() const;  // simulated time that is compared
+  bool shortened() const { return stretch.last < scene.last_frame(); }
+};
+
+// Throws SceneError; std::runtime_error when the scene has no motion to compare (static).
+Ground make_ground(const Options& options);
+
+// As many of the first frames as given; of long ones every second, third, ... is compared.
+Stretch stretch_of(const Ground& ground, std::int64_t frames);
+
+// A case as the ground's stretch sees it.
+std::uint64_t case_id(const Ground& ground, const Simulation& simulation);
+
+// The trajectory in pixels: two numbers per point, origin top left.
+sim::Trajectory on_screen(const Ground& ground, const sim::Trajectory& path);
+// The sample points as on_screen needs them: sizes of one pixel.
+sim::SamplePoints screen_points(const Ground& ground);
+
+}  // namespace app

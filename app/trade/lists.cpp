@@ -1,0 +1,122 @@
+#include "app/trade/lists.h"
+
+#include <cmath>
+
+#include "sim/element/element.h"
+#include "sim/time/scheme.h"
+
+namespace app {
+namespace {
+
+constexpr const char* kTight = "1e-7";  // body sizes/s
+
+std::string step_text(const Document& scene, int substeps) {
+  return "h=1/" + std::to_string(scene.scene.time.fps * substeps);
+}
+
+Case reference_case(const Document& scene, std::string_view integrator, int substeps) {
+  Case which = time_case(scene, integrator, substeps);
+  which.axis = Axis::reference;
+  return with(with(which, "tolerance 1e-7", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
+}
+
+bool is_number(const std::string& text, double value) {
+  return std::abs(std::stod(text) / value - 1) < 1e-9;
+}
+
+// What the case sets the key to, or what the scene has.
+std::string setting(const Case& which, const std::string& key, const std::string& of_scene) {
+  for (const auto& [name, value] : which.settings)
+    if (name == key) return value;
+  return of_scene;
+}
+
+void add_solver_cases(const sim::Solver& solver, const Case& around, std::vector<Case>& list) {
+  const std::string tolerance = setting(around, "solver.tolerance", std::to_string(solver.tolerance)),
+                    linear = setting(around, "solver.linear", solver.linear),
+                    definiteness = setting(around, "solver.definiteness", solver.definiteness);
+  for (const char* const value : {"1e-2", "1e-3", "1e-6"})
+    if (!is_number(tolerance, std::stod(value)))
+      list.push_back(with(around, std::string("tolerance ") + value, "solver.tolerance", value));
+  for (const char* const value : {"auto", "pcg", "cholmod", "pcg-assembled"})
+    if (value != linear) list.push_back(with(around, value, "solver.linear", value));
+  for (const char* const value : {"none", "abs", "clamp"})
+    if (value != definiteness)
+      list.push_back(with(around, std::string("definiteness ") + value, "solver.definiteness", value));
+}
+
+// One change to every body that it changes at all.
+void add_body_case(const Document& scene, const Case& around, const std::string& key, const std::string& value,
+                   std::string (*is)(const sim::Body&), std::vector<Case>& list) {
+  Case which = around;
+  bool changed = false;
+  for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) {
+    if (is(scene.scene.bodies[b]) == value) continue;
+    which = with(which, "", "body." + std::to_string(b) + "." + key, value);
+    changed = true;
+  }
+  which.label = around.label + ", " + value;
+  if (changed) list.push_back(which);
+}
+
+}  // namespace
+
+Case time_case(const Document& scene, std::string_view integrator, int substeps) {
+  return {std::string(integrator) + " " + step_text(scene, substeps),
+          Axis::time,
+          {{"time.integrator", std::string(integrator)}, {"time.substeps", std::to_string(substeps)}}};
+}
+
+std::vector<Case> reference_cases(const Document& scene, int depth) {
+  return {reference_case(scene, "tr-bdf2", 16 * depth), reference_case(scene, "tr-bdf2", 8 * depth),
+          reference_case(scene, "sdirk2", 8 * depth), reference_case(scene, "sdirk2", 4 * depth)};
+}
+
+std::vector<Case> time_cases(const Document& scene, int depth) {
+  constexpr std::string_view first[] = {"backward-euler", "tr-bdf2"};
+  std::vector<std::string_view> names(std::begin(first), std::end(first));
+  for (const sim::Scheme& scheme : sim::schemes()) {
+    const bool listed = scheme.name == first[0] || scheme.name == first[1];
+    if (!scheme.stages.empty() && !scheme.is_static && !listed) names.push_back(scheme.name);
+  }
+  std::vector<Case> list;
+  for (int substeps = 1; substeps <= depth; substeps *= 2)
+    for (const std::string_view name : names) list.push_back(time_case(scene, name, substeps));
+  return list;
+}
+
+std::vector<Case> explicit_cases() {
+  std::vector<Case> list;
+  for (const sim::Scheme& scheme : sim::schemes()) {
+    if (!scheme.stages.empty()) continue;
+    const std::string name(scheme.name);
+    list.push_back({name + " h=auto", Axis::time, {{"time.integrator", name}, {"time.substeps", "\"auto\""}}});
+  }
+  return list;
+}
+
+std::vector<Case> rest_cases(const Document& scene, const Case& around) {
+  std::vector<Case> list;
+  Case start = around;
+  start.axis = Axis::rest;
+  const std::string integrator = setting(around, "time.integrator", scene.scene.time.integrator);
+  const bool implicit = !sim::find_scheme(integrator)->stages.empty();
+  if (implicit) add_solver_cases(scene.scene.solver, start, list);
+  const auto mass = [](const sim::Body& body) { return body.mass; };
+  const auto model = [](const sim::Body& body) { return body.materials.front().model; };
+  add_body_case(scene, start, "mass", "lumped", mass, list);
+  if (implicit) add_body_case(scene, start, "mass", "consistent", mass, list);
+  for (const char* const value : {"corotated", "linear"})
+    add_body_case(scene, start, "material.model", value, model, list);
+  return list;
+}
+
+Case both(const Case& a, const Case& b, Axis axis) {
+  Case result = a;
+  result.axis = axis;
+  for (const auto& [key, value] : b.settings) result = with(result, "", key, value);
+  result.label = a.label + (a.label.empty() || b.label.empty() ? "" : ", ") + b.label;
+  return result;
+}
+
+}  // namespace app

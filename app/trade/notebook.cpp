@@ -1,0 +1,123 @@
+#include "app/trade/notebook.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "app/output_file.h"
+#include "app/scene_error.h"
+#include "app/trade/case_file.h"
+
+namespace app {
+namespace {
+
+constexpr double kRepeatShare = 0.004;  // of the time: shorter runs are timed three times
+
+std::string file_name(std::uint64_t id) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx.run", static_cast<unsigned long long>(id));
+  return name;
+}
+
+}  // namespace
+
+Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
+                   const Interrupt& interrupt)
+    : ground_(ground), folder_(std::move(folder)), seconds_(seconds), out_(out), interrupt_(interrupt) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw WriteError("cannot make the folder " + folder_.string() + ": " + error.message());
+}
+
+std::filesystem::path Notebook::file(std::uint64_t id) const {
+  return folder_ / file_name(id);
+}
+
+void Notebook::keep(const CaseRun& run) const {
+  if (run.status != Status::skipped && run.id != 0) write_atomically(file(run.id), encode(run), false);
+}
+
+void Notebook::say(const std::string& line) const {
+  if (!out_) return;
+  char clock[48];
+  std::snprintf(clock, sizeof clock, "[%3.0f of %.0f s] ", watch_.seconds(), seconds_);
+  *out_ << clock << line << std::endl;
+}
+
+CaseRun* Notebook::known(std::uint64_t id) {
+  const auto found = std::ranges::find_if(runs_, [&](const CaseRun& run) { return run.id == id && id != 0; });
+  if (found != runs_.end()) return &*found;
+  std::ifstream in(file(id), std::ios::binary);
+  if (!in) return nullptr;
+  auto read = decode_case(std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
+  if (!read || read->id != id) return nullptr;
+  runs_.push_back(std::move(*read));
+  return &runs_.back();
+}
+
+const CaseRun& Notebook::add(CaseRun run) {
+  runs_.push_back(std::move(run));
+  if (changed_) changed_();
+  return runs_.back();
+}
+
+void Notebook::skip(const Case& which, const std::string& reason) {
+  CaseRun run;
+  run.which = which;
+  run.reason = reason;
+  add(told(std::move(run)));
+}
+
+const CaseRun& Notebook::run(const Case& which, double allowance) {
+  Simulation simulation;
+  try {
+    simulation = build_simulation(options_of(ground_.options, which));
+  } catch (const SceneError& error) {
+    return add(told(refused_case(which, error.what())));
+  }
+  const std::uint64_t id = case_id(ground_, simulation);
+  if (CaseRun* const earlier = known(id)) return *earlier;
+  if (!recall_only_.empty() || left() <= 0) {
+    CaseRun run;
+    run.which = which;
+    run.id = id;
+    run.reason = recall_only_.empty() ? "no time left" : recall_only_;
+    return add(std::move(run));
+  }
+  CaseRun run =
+      run_case(ground_, which, simulation, {std::min(allowance, left()), kRepeatShare * seconds_}, interrupt_);
+  keep(run);
+  return add(told(std::move(run)));
+}
+
+// Says how it went.
+CaseRun Notebook::told(CaseRun run) const {
+  char done[64];
+  std::snprintf(done, sizeof done, "%.3g s per simulated second", run.work.median());
+  say(run.which.label + (run.status == Status::done     ? std::string(": ") + done
+                         : run.status == Status::failed ? ": failed, " + run.reason
+                                                        : ": skipped, " + run.reason));
+  return run;
+}
+
+double Notebook::first_look(const Case& which) {
+  const Simulation simulation = build_simulation(options_of(ground_.options, which));
+  const CaseRun run = run_case(ground_, which, simulation, {0, 0}, interrupt_);
+  return run.status == Status::skipped ? run.estimate : run.work.median() * ground_.seconds();
+}
+
+CaseRun Notebook::run_afresh(const Case& which) {
+  const Simulation simulation = build_simulation(options_of(ground_.options, which));
+  return run_case(ground_, which, simulation, {1e12, 0}, interrupt_);
+}
+
+void Notebook::time_again(const CaseRun& run) {
+  CaseRun* const mine = known(run.id);
+  if (!mine) return;
+  const Simulation simulation = build_simulation(options_of(ground_.options, run.which));
+  app::time_again(ground_, simulation, *mine, interrupt_);
+  keep(*mine);
+}
+
+}  // namespace app

@@ -1,0 +1,54 @@
+#include "app/trade/plan.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/output_file.h"
+#include "app/value_text.h"
+#include "app/version.h"
+
+namespace app {
+namespace {
+
+// All runs on the scene's mesh against the coarser run of the reference scheme: that one, the finer (2), the second
+// scheme twice (1.5), the ladder of all schemes (about 2), and twice that, as motion is slow at first.
+constexpr double kWholeOverReference = 13;
+constexpr int kDeepest = 8;
+constexpr std::int64_t kFewestFrames = 12;
+
+}  // namespace
+
+Plan affordable_plan(double seconds, double reference_seconds, int tried, std::int64_t frames) {
+  const double at_depth_1 = kWholeOverReference * reference_seconds / tried;
+  Plan plan{kDeepest, frames};
+  while (plan.depth > 2 && at_depth_1 * plan.depth > seconds) plan.depth /= 2;
+  const double share = seconds / (at_depth_1 * plan.depth);
+  if (share >= 1) return plan;
+  plan.frames = std::clamp(static_cast<std::int64_t>(share * double(frames)), std::min(kFewestFrames, frames), frames);
+  return plan;
+}
+
+std::optional<Plan> read_plan(const std::filesystem::path& file, std::uint64_t scene, double seconds) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    const toml::table table = toml::parse_file(file.string());
+    const bool same = table["version"].value_or(std::string()) == kVersion &&
+                      table["scene"].value_or(std::string()) == std::to_string(scene) &&
+                      table["seconds"].value_or(0.0) == seconds;
+    if (!same) return std::nullopt;
+    return Plan{table["depth"].value_or(1), table["frames"].value_or(std::int64_t{1})};
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+void write_plan(const std::filesystem::path& file, std::uint64_t scene, double seconds, const Plan& plan) {
+  const std::string text = "version = " + quoted_text(kVersion) + "\nscene = " + quoted_text(std::to_string(scene)) +
+                           "\nseconds = " + number_literal(seconds) + "\ndepth = " + std::to_string(plan.depth) +
+                           "\nframes = " + std::to_string(plan.frames) + "\n";
+  write_atomically(file, text, true);
+}
+
+}  // namespace app

@@ -1,0 +1,130 @@
+#include "app/trade/run_case.h"
+
+#include <cstdio>
+
+#include "app/stopwatch.h"
+#include "sim/time/scheme.h"
+
+namespace app {
+namespace {
+
+constexpr int kRepeats = 3;
+constexpr double kPatience = 0.3;  // s of a run before its length is judged
+
+// One pass over the stretch.
+class Pass {
+ public:
+  Pass(const Ground& ground, const Simulation& simulation, const Interrupt& interrupt)
+      : ground_(ground),
+        system_(*simulation.system),
+        interrupt_(interrupt),
+        stepper_(sim::make_stepper(system_, ground.options.threads)),
+        state_(system_.initial_state()),
+        steps_(ground.stretch.last * system_.steps_per_frame()) {}
+
+  // Fills in what the run shows. With a sampler the path is kept.
+  void go(double allowance, const sim::Sampler* sampler, CaseRun& run) {
+    const Stopwatch watch;
+    while (state_.step < steps_) {
+      if (interrupt_.requested()) throw Interrupted{};
+      const sim::StepReport report = stepper_->step(state_);
+      if (!report.failure.empty()) return fail(report, run);
+      add(report, run);
+      if (sampler && state_.step % (ground_.stretch.stride * system_.steps_per_frame()) == 0)
+        sim::add_frame(system_, state_, *sampler, run.path);
+      const double so_far = watch.seconds(), whole = so_far / double(state_.step) * double(steps_);
+      if (so_far > kPatience && whole > allowance) return give_up(whole, run);
+    }
+    run.status = Status::done;
+    per_simulated_second(run);
+  }
+
+  double seconds() const { return seconds_ + first_; }
+
+ private:
+  void add(const sim::StepReport& report, CaseRun& run) {
+    (state_.step == 1 ? first_ : seconds_) += report.seconds;
+    run.work.newton += report.newton;
+    run.work.linear += report.linear;
+    run.work.factorisations += report.factorisations;
+    run.work.force_evaluations += report.force_evaluations;
+    run.not_converged += report.converged ? 0 : 1;
+  }
+
+  void fail(const sim::StepReport& report, CaseRun& run) {
+    char text[80];
+    std::snprintf(text, sizeof text, "at t = %.3g s: ", system_.time(state_.step + 1));
+    run.status = Status::failed;
+    run.reason = text + report.failure;
+    per_simulated_second(run);
+  }
+
+  void give_up(double whole, CaseRun& run) {
+    char text[80];
+    std::snprintf(text, sizeof text, "would take about %.0f s", whole);
+    run.status = Status::skipped;
+    run.reason = text;
+    run.estimate = whole;
+  }
+
+  void per_simulated_second(CaseRun& run) {
+    const double simulated = system_.time(state_.step), timed = simulated - system_.step_seconds();
+    run.work.seconds.push_back(timed > 0 ? seconds_ / timed : first_ / system_.step_seconds());
+    if (!(simulated > 0)) return;
+    for (double* count : {&run.work.newton, &run.work.linear, &run.work.factorisations, &run.work.force_evaluations})
+      *count /= simulated;
+    run.work.steps = double(state_.step) / simulated;
+  }
+
+  const Ground& ground_;
+  const sim::System& system_;
+  const Interrupt& interrupt_;
+  std::unique_ptr<sim::Stepper> stepper_;
+  sim::State state_;
+  std::int64_t steps_;
+  double first_ = 0, seconds_ = 0;  // of the first step, which warms up, and of all others
+};
+
+void describe(const Ground& ground, const Simulation& simulation, CaseRun& run) {
+  run.id = case_id(ground, simulation);
+  run.step = simulation.system->step_seconds();
+  run.order = sim::find_scheme(simulation.document.scene.time.integrator)->order;
+  run.dofs = simulation.system->counts().dofs;
+}
+
+}  // namespace
+
+CaseRun run_case(const Ground& ground, const Case& which, const Simulation& simulation, const Allowance& allowance,
+                 const Interrupt& interrupt) {
+  CaseRun run;
+  run.which = which;
+  run.path.dimension = ground.points.dimension;
+  describe(ground, simulation, run);
+  try {
+    const sim::Sampler sampler(*simulation.system, ground.points);
+    Pass first(ground, simulation, interrupt);
+    first.go(allowance.run, &sampler, run);
+    const bool repeat = run.status == Status::done && first.seconds() < allowance.repeat;
+    for (int k = 1; repeat && k < kRepeats; ++k) time_again(ground, simulation, run, interrupt);
+  } catch (const sim::InputError& error) {
+    run.status = Status::failed;
+    run.reason = error.what();
+  }
+  return run;
+}
+
+CaseRun refused_case(const Case& which, const std::string& reason) {
+  CaseRun run;
+  run.which = which;
+  run.status = Status::failed;
+  run.reason = reason;
+  return run;
+}
+
+void time_again(const Ground& ground, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt) {
+  CaseRun again;
+  Pass(ground, simulation, interrupt).go(1e12, nullptr, again);
+  if (!again.work.seconds.empty()) run.work.seconds.push_back(again.work.seconds.front());
+}
+
+}  // namespace app

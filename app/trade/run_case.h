@@ -1,0 +1,27 @@
+// Runs a case: steps it over the ground's stretch, without drawing and files, and times it.
+#pragma once
+
+#include "app/interrupt.h"
+#include "app/trade/ground.h"
+
+namespace app {
+
+// What the user's Ctrl+C throws out of a case.
+struct Interrupted {};
+
+struct Allowance {
+  double run = 0;     // s: a run that would take longer is given up, as skipped, once that is clear
+  double repeat = 0;  // s: runs that take less than this are repeated and timed three times
+};
+
+// The simulation is the ground's scene with the case's settings. Throws Interrupted; numerical failures are results.
+CaseRun run_case(const Ground& ground, const Case& which, const Simulation& simulation, const Allowance& allowance,
+                 const Interrupt& interrupt);
+
+// The run of a case whose settings do not go together.
+CaseRun refused_case(const Case& which, const std::string& reason);
+
+// Times it once more.
+void time_again(const Ground& ground, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt);
+
+}  // namespace app

@@ -1,0 +1,101 @@
+#include "app/trade/score.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/compare/difference.h"
+
+namespace app {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool changes(const Case& which, std::string_view key_end) {
+  return std::ranges::any_of(which.settings, [&](const auto& setting) {
+    return setting.first.starts_with("body.") && setting.first.ends_with(key_end);
+  });
+}
+bool changes_model(const Case& which) {
+  return changes(which, "material.model");
+}
+bool changes_bodies(const Case& which) {
+  return changes(which, "");
+}
+
+// Whether scheme and step are those of the mesh study, and nothing but meshes and masses differs.
+bool in_mesh_study(const Case& which, const Case& mesh_time) {
+  std::size_t of_time = 0;
+  for (const auto& setting : which.settings) {
+    if (setting.first.starts_with("body.")) continue;
+    if (std::ranges::find(mesh_time.settings, setting) == mesh_time.settings.end()) return false;
+    ++of_time;
+  }
+  return of_time == mesh_time.settings.size() && !changes_model(which);
+}
+
+Apart sum(const Apart& a, const Apart& b) {
+  return {a.rms + b.rms, a.max + b.max, a.pixels + b.pixels};
+}
+
+}  // namespace
+
+double error_of(const Apart& apart, const Goal& goal) {
+  return goal.kind == Goal::Kind::pixels ? apart.pixels : apart.rms;
+}
+
+void Scorer::set(const References& references) {
+  references_ = references;
+  known_.clear();
+}
+
+Apart Scorer::apart(const CaseRun& a, const CaseRun& b) const {
+  const int frames = references_.check.frames;
+  const sim::Difference difference = sim::difference(a.path, b.path, ground_.points, frames);
+  const sim::Difference pixels =
+      sim::difference(on_screen(ground_, a.path), on_screen(ground_, b.path), screen_, frames);
+  return {difference.rms, difference.max, pixels.rms};
+}
+
+const Score& Scorer::score(const CaseRun& run) {
+  const auto found = known_.find(&run);
+  if (found != known_.end()) return found->second;
+  return known_.emplace(&run, judge(run)).first->second;
+}
+
+Score Scorer::judge(const CaseRun& run) const {
+  Score score;
+  score.run = &run;
+  score.bound = {kInfinity, kInfinity, kInfinity};
+  if (run.status != Status::done || !references_.time) return score;
+  judge_against_time(score);
+  if (references_.mesh) judge_against_mesh(score);
+  return score;
+}
+
+void Scorer::judge_against_time(Score& score) const {
+  const CaseRun &run = *score.run, &reference = *references_.time;
+  const int frames = references_.check.frames;
+  score.centre = sim::centre_difference(run.path, reference.path, ground_.points, frames);
+  const bool same = !changes_bodies(run.which);
+  if (!same && !changes_model(run.which)) return;
+  const Apart error = apart(run, reference);
+  (same ? score.time : score.model) = error;
+  const sim::Drift drift = sim::drift(run.path, reference.path, ground_.points);
+  score.energy_drift = drift.energy;
+  score.momentum_drift = drift.momentum;
+  score.mean_energy = drift.mean_energy;
+  const double floor = 10 * references_.check.uncertainty;
+  score.resolved = error.rms >= floor;
+  const double share = error.rms > 0 ? references_.check.uncertainty / error.rms : 0;
+  if (!references_.mesh) score.bound = sum(error, {share * error.rms, share * error.max, share * error.pixels});
+}
+
+void Scorer::judge_against_mesh(Score& score) const {
+  const CaseRun& run = *score.run;
+  if (&run == references_.mesh) return;
+  score.total = apart(run, *references_.mesh);
+  if (in_mesh_study(run.which, references_.mesh_time)) score.mesh = score.total;
+  score.bound = sum(*score.total, references_.total_uncertainty);
+}
+
+}  // namespace app

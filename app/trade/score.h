@@ -1,0 +1,70 @@
+// How accurate the runs of a trade are: time, mesh and model errors apart, and their total.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "app/trade/goal.h"
+#include "app/trade/ground.h"
+#include "sim/compare/reference_check.h"
+
+namespace app {
+
+// Distance of two runs over the frames before the horizon.
+struct Apart {
+  double rms = 0, max = 0;  // shares of the body's size
+  double pixels = 0;        // rms at 1080p
+};
+
+// What runs are measured against.
+struct References {
+  const CaseRun* time = nullptr;  // on the scene's mesh; none: no error is known
+  sim::ReferenceCheck check;
+  const CaseRun* mesh = nullptr;  // on the finest mesh; none: no mesh error is known
+  Case mesh_time;                 // scheme and step of all runs of which mesh errors are taken
+  Apart total_uncertainty;        // of the total error: time error of the mesh reference, and its own mesh error
+};
+
+struct Score {
+  const CaseRun* run = nullptr;
+  std::optional<Apart> time;   // against the reference of the scene's mesh: only time and solver settings differ
+  std::optional<Apart> mesh;   // against the finest mesh, with the same scheme and step
+  std::optional<Apart> model;  // another material than the scene's, against the reference of the scene's mesh
+  std::optional<Apart> total;  // against the finest mesh
+  double energy_drift = 0, momentum_drift = 0;  // where the mesh is the scene's
+  double centre = 0, mean_energy = 0;           // centre of mass, energy on average: statistics for chaotic scenes
+  bool resolved = false;  // the smallest error known is ten times the reference's uncertainty or more
+
+  // What is certain of the error of the run: total or, where no mesh error is known, time error, with the uncertainty
+  // of the reference. Infinite where nothing is known.
+  Apart bound;
+  double seconds() const { return run->work.median(); }
+};
+
+class Scorer {
+ public:
+  explicit Scorer(const Ground& ground) : ground_(ground), screen_(screen_points(ground)) {}
+
+  // Forgets what was measured against others.
+  void set(const References& references);
+  const References& references() const { return references_; }
+  Apart apart(const CaseRun& a, const CaseRun& b) const;
+  // Of a run that stays where it is; remembered.
+  const Score& score(const CaseRun& run);
+  Score judge(const CaseRun& run) const;
+
+ private:
+  void judge_against_time(Score& score) const;
+  void judge_against_mesh(Score& score) const;
+
+  const Ground& ground_;
+  sim::SamplePoints screen_;
+  References references_;
+  std::map<const CaseRun*, Score> known_;
+};
+
+// The error that a goal is about.
+double error_of(const Apart& apart, const Goal& goal);
+
+}  // namespace app

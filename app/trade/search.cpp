@@ -1,0 +1,262 @@
+#include "app/trade/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/checksum.h"
+#include "app/trade/advice.h"
+#include "sim/compare/front.h"
+
+namespace app {
+namespace {
+
+// Shares of the time that is left when a phase begins.
+constexpr double kTimeShare = 0.55, kMeshReferenceShare = 0.5, kMeshShare = 0.4, kRestShare = 0.25;
+constexpr int kMostCombinations = 6;
+constexpr double kGrowthOfWork = 1.2;  // work goes as unknowns to this power, at the least
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  return text;
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g s", seconds);
+  return text;
+}
+
+}  // namespace
+
+Case mesh_time_case(const Document& scene, const Plan& plan) {
+  return time_case(scene, "tr-bdf2", std::max(1, plan.depth / 2));
+}
+
+std::vector<Case> independent_cases(const Document& scene, const Plan& plan, bool keep_mesh) {
+  const Case own{"the scene", Axis::scene, {}}, mesh_time = mesh_time_case(scene, plan);
+  std::vector<Case> all = {own};
+  const auto add = [&](const std::vector<Case>& list) { all.insert(all.end(), list.begin(), list.end()); };
+  add(reference_cases(scene, plan.depth));
+  add(time_cases(scene, plan.depth));
+  add(explicit_cases());
+  if (!keep_mesh)
+    for (const MeshChange& mesh : mesh_changes(scene)) all.push_back(both(mesh_time, mesh.change, Axis::mesh));
+  add(rest_cases(scene, own));
+  add(rest_cases(scene, mesh_time));
+  return all;
+}
+
+Search::Search(Ground& ground, Notebook& notebook, Scorer& scorer, const Goal& goal, std::filesystem::path folder)
+    : ground_(ground), notebook_(notebook), scorer_(scorer), goal_(goal), folder_(std::move(folder)) {}
+
+void Search::note(const std::string& text) {
+  notes_.push_back(text);
+  notebook_.say("note: " + text);
+}
+
+std::vector<const Score*> Search::scores() {
+  std::vector<const Score*> all;
+  for (const CaseRun& run : notebook_.runs()) all.push_back(&scorer_.score(run));
+  return all;
+}
+
+void Search::go(const std::optional<Plan>& plan) {
+  if (plan) {
+    plan_ = *plan;
+    ground_.stretch = stretch_of(ground_, plan_.frames);
+  } else {
+    make_plan();
+  }
+  if (ground_.shortened())
+    note("only the first " + seconds_text(ground_.seconds()) + " of " + seconds_text(scene().scene.time.seconds) +
+         " are measured: more does not fit into the time (--minutes)");
+  notebook_.run({"the scene", Axis::scene, {}}, kTimeShare * notebook_.left());
+  if (!find_references()) return;
+  time_axis();
+  if (!ground_.options.trade.keep_mesh) mesh_axis();
+  if (!notebook_.recalls_only() && references_.mesh) combine();
+  rest();
+  if (!notebook_.recalls_only()) time_front_again();
+}
+
+void Search::make_plan() {
+  const std::filesystem::path file = folder_ / "plan.toml";
+  const std::int64_t frames = ground_.scene.last_frame();
+  const std::uint64_t key = checksum(std::to_string(frames), ground_.scene.identity);
+  if (const auto earlier = read_plan(file, key, notebook_.seconds())) {
+    plan_ = *earlier;
+  } else {
+    constexpr int tried = 4;
+    const double look = notebook_.first_look(reference_cases(scene(), tried)[1]);
+    plan_ = affordable_plan(kTimeShare * notebook_.left(), look, tried, frames);
+    write_plan(file, key, notebook_.seconds(), plan_);
+  }
+  ground_.stretch = stretch_of(ground_, plan_.frames);
+}
+
+bool Search::find_references() {
+  for (;; plan_.depth /= 2) {
+    std::vector<const CaseRun*> runs;
+    for (const Case& which : reference_cases(scene(), plan_.depth)) {
+      runs.push_back(&notebook_.run(which, notebook_.left()));
+      if (runs.back()->status != Status::done) break;
+    }
+    if (runs.size() == 4 && runs.back()->status == Status::done) {
+      judge_references(runs);
+      return true;
+    }
+    if (plan_.depth == 1 || runs.back()->status == Status::failed || notebook_.recalls_only()) {
+      note("there is no reference, so no error is known: " + runs.back()->which.label + ": " + runs.back()->reason);
+      return false;
+    }
+  }
+}
+
+void Search::judge_references(const std::vector<const CaseRun*>& runs) {
+  references_.time = runs[0];
+  references_.check =
+      sim::check_reference({runs[0]->path, runs[1]->path, runs[2]->path, runs[3]->path}, ground_.points);
+  const sim::ReferenceCheck& check = references_.check;
+  if (check.diverges)
+    note("the motion is chaotic: halving the step of the reference moves it by 0.5 % of the size at t = " +
+         seconds_text(check.horizon) +
+         "; positions mean something up to there, and errors are those up to there. "
+         "Beyond, compare the centre of mass and the energy (columns centre_error, mean_energy)");
+  if (!check.agrees)
+    note("the reference cannot be trusted: tr-bdf2 and sdirk2 are " + percent(check.apart) +
+         " apart, and halving its step brings sdirk2 no nearer (halving that of tr-bdf2 moves it by " +
+         percent(check.moved) + ")");
+  scorer_.set(references_);
+}
+
+void Search::time_axis() {
+  for (const Case& which : time_cases(scene(), plan_.depth)) notebook_.run(which, kTimeShare * notebook_.left());
+  for (const Case& which : explicit_cases()) notebook_.run(which, kRestShare * notebook_.left());
+  raise_floor();
+}
+
+// Errors below ten uncertainties of the reference are not told apart from it.
+void Search::raise_floor() {
+  const double floor = 10 * references_.check.uncertainty;
+  int below = 0;
+  for (const Score* score : scores())
+    below += score->time && !score->resolved && score->run->which.axis != Axis::reference ? 1 : 0;
+  if (below > 0)
+    note(std::to_string(below) + " runs are closer to the reference than ten times its uncertainty (" +
+         percent(references_.check.uncertainty) + "): their errors are given as below " + percent(floor));
+}
+
+const CaseRun* Search::find_finest(const std::vector<MeshChange>& changes, double seconds) {
+  const Case time = mesh_time_case(scene(), plan_);
+  const CaseRun& own = notebook_.run(time, seconds);
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+    if (!change->finest) continue;
+    const Case which = both(time, change->change, Axis::mesh);
+    const double least = own.work.median() * ground_.seconds() * std::pow(change->growth, kGrowthOfWork);
+    if (least > seconds && !notebook_.recalls_only()) {
+      notebook_.skip(which, "would take " + seconds_text(least) + " or more");
+      continue;
+    }
+    const CaseRun& run = notebook_.run(which, seconds);
+    if (run.status == Status::done) return &run;
+  }
+  return nullptr;
+}
+
+void Search::mesh_axis() {
+  const std::vector<MeshChange> changes = mesh_changes(scene());
+  const CaseRun* const finest = find_finest(changes, kMeshReferenceShare * notebook_.left());
+  if (!finest) {
+    note("no finer mesh could be afforded or made: the mesh error is not known, targets bound the time error only");
+    return;
+  }
+  const Case time = mesh_time_case(scene(), plan_);
+  for (const MeshChange& change : changes) {
+    const Case which = both(time, change.change, Axis::mesh);
+    if (settings_text(which) == settings_text(finest->which)) break;
+    notebook_.run(which, kMeshShare * notebook_.left());
+  }
+  judge_meshes(*finest);
+}
+
+// The total error is uncertain by the time error of the runs on the finest mesh and by what that mesh lacks itself: a
+// third of the error of the next best, as halving the cells takes 3/4 of an error of second order away.
+void Search::judge_meshes(const CaseRun& finest) {
+  references_.mesh_time = mesh_time_case(scene(), plan_);
+  const CaseRun& own = notebook_.run(references_.mesh_time, 0);
+  const Apart time = scorer_.apart(own, *references_.time);
+  references_.mesh = &finest;
+  scorer_.set(references_);
+  Apart next{1e300, 1e300, 1e300};
+  for (const Score* score : scores())
+    if (score->mesh && score->mesh->rms < next.rms) next = *score->mesh;
+  references_.total_uncertainty = {time.rms + next.rms / 3, time.max + next.max / 3, time.pixels + next.pixels / 3};
+  scorer_.set(references_);
+}
+
+// Schemes and steps of the time axis on the other meshes: those of which it can be expected that they are worth it.
+void Search::combine() {
+  struct Guess {
+    Case which;
+    sim::WorkError expected;
+  };
+  std::vector<const Score*> times, meshes;
+  const Score& own = scorer_.score(notebook_.run(references_.mesh_time, 0));
+  for (const Score* score : scores()) {
+    if (score->time && score->run->which.axis == Axis::time) times.push_back(score);
+    if (score->mesh && score->run->which.axis == Axis::mesh) meshes.push_back(score);
+  }
+  std::vector<Guess> guesses;
+  for (const Score* mesh : meshes)
+    for (const Score* time : times) {
+      Case which = mesh->run->which;
+      for (const auto& [key, value] : time->run->which.settings) which = with(which, "", key, value);
+      which.axis = Axis::rest;
+      const std::string& label = mesh->run->which.label;
+      which.label = time->run->which.label + label.substr(std::min(label.size(), own.run->which.label.size()));
+      guesses.push_back({which,
+                         {time->seconds() * mesh->seconds() / own.seconds(),
+                          error_of(*time->time, goal_) + error_of(*mesh->mesh, goal_)}});
+    }
+  std::vector<sim::WorkError> expected;
+  for (const Guess& guess : guesses) expected.push_back(guess.expected);
+  std::vector<int> members = sim::front(expected);
+  const auto distance = [&](int k) {
+    if (goal_.kind == Goal::Kind::knee) return 0.0;
+    return std::abs(
+        std::log((goal_.kind == Goal::Kind::time ? expected[k].work : 2 * expected[k].error) / goal_.value));
+  };
+  std::ranges::stable_sort(members, {}, distance);
+  for (std::size_t k = 0; k < members.size() && k < kMostCombinations; ++k)
+    notebook_.run(guesses[members[k]].which, kRestShare * notebook_.left());
+}
+
+// One setting at a time around the scene's own and around the best.
+void Search::rest() {
+  constexpr int rounds = 2;
+  std::vector<Case> around = {{"the scene", Axis::scene, {}}};
+  if (notebook_.recalls_only()) around.push_back(mesh_time_case(scene(), plan_));
+  std::vector<std::string> seen;
+  for (int round = 0; round < rounds; ++round) {
+    if (!notebook_.recalls_only())
+      if (const Score* best = choose(scores(), goal_)) around.push_back(best->run->which);
+    for (const Case& start : around) {
+      if (std::ranges::find(seen, settings_text(start)) != seen.end()) continue;
+      seen.push_back(settings_text(start));
+      for (const Case& which : rest_cases(scene(), start)) notebook_.run(which, kRestShare * notebook_.left());
+    }
+    around.clear();
+  }
+}
+
+void Search::time_front_again() {
+  constexpr std::size_t enough = 3;
+  for (const Score* score : front_of(scores()))
+    while (score->run->work.seconds.size() < enough &&
+           score->run->work.median() * ground_.seconds() < kRestShare * notebook_.left())
+      notebook_.time_again(*score->run);
+}
+
+}  // namespace app

@@ -1,0 +1,89 @@
+#include "render/gui.h"
+
+#include "render/imgui_setup.h"
+
+namespace render {
+namespace {
+
+// Calm and light, to stand beside the picture.
+void set_style(float text) {
+  ImGui::StyleColorsLight();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.ScaleAllSizes(text / 13);
+  style.WindowRounding = 0;
+  style.FrameRounding = 0.2F * text;
+  style.WindowBorderSize = 0;
+  style.Colors[ImGuiCol_Text] = {0.11F, 0.13F, 0.16F, 1};
+  style.Colors[ImGuiCol_WindowBg] = {0.97F, 0.975F, 0.98F, 1};
+  style.Colors[ImGuiCol_PopupBg] = {1, 1, 1, 0.98F};
+  style.Colors[ImGuiCol_FrameBg] = {0.88F, 0.90F, 0.92F, 1};
+  style.Colors[ImGuiCol_Header] = {0.82F, 0.87F, 0.92F, 1};
+  style.Colors[ImGuiCol_Button] = {0.78F, 0.85F, 0.92F, 1};
+}
+
+}  // namespace
+
+Gui::Gui(Context& context, float text) : context_(context), gl_(load_gl(context)), imgui_(make_imgui()) {
+  const InUse in_use(imgui_);
+  set_style(text);
+  load_font(*ImGui::GetIO().Fonts, "DejaVuSans.ttf", text);
+  painter_.emplace(gl_, *ImGui::GetIO().Fonts);
+}
+
+Gui::~Gui() {
+  context_.make_current();
+  painter_.reset();
+  target_ = {};
+  target_texture_ = {};
+  if (stop_) use(stop_);
+  ImGui::DestroyContext(imgui_);
+}
+
+void Gui::listen(std::function<void(int, int)> feed, std::function<void()> stop) {
+  feed_ = std::move(feed);
+  stop_ = std::move(stop);
+}
+
+void Gui::draw(int width, int height, const std::function<void()>& widgets) {
+  const InUse in_use(imgui_);
+  ImGuiIO& io = ImGui::GetIO();
+  for (; true; settled_ = true) {
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    if (feed_) feed_(width, height);
+    ImGui::NewFrame();
+    widgets();
+    ImGui::Render();
+    if (settled_) break;
+  }
+  gl_.Viewport(0, 0, width, height);
+  painter_->draw(*ImGui::GetDrawData());
+}
+
+Image Gui::picture(int width, int height, const std::function<void()>& widgets) {
+  context_.make_current();
+  if (width != target_width_ || height != target_height_) {
+    target_texture_ = make_texture(gl_, {GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST});
+    target_ = make_framebuffer(gl_);
+    target_width_ = width;
+    target_height_ = height;
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target_.name());
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_texture_.name(), 0);
+    check_framebuffer(gl_, "widgets");
+  }
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, target_.name());
+  gl_.ClearColor(0, 0, 0, 1);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  draw(width, height, widgets);
+  return read(width, height);
+}
+
+Image Gui::read(int width, int height) const {
+  return read_pixels(gl_, width, height);
+}
+
+void Gui::use(const std::function<void()>& f) const {
+  const InUse in_use(imgui_);
+  f();
+}
+
+}  // namespace render

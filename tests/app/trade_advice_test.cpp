@@ -1,0 +1,95 @@
+// What a trade is asked for, how deep it goes, which run it advises: on numbers that are known.
+#include <gtest/gtest.h>
+
+#include "app/trade/advice.h"
+#include "app/trade/plan.h"
+#include "tests/app/temporary_folder.h"
+
+namespace app {
+namespace {
+
+TEST(Goal, IsReadFromTargetOrBudget) {
+  const sim::Time time{4.0, 25, 1, "sdirk2"};
+  const auto value = [&](const char* target, const char* budget) {
+    TradeOptions options;
+    options.target = target;
+    options.budget = budget;
+    return read_goal(options, time).value;
+  };
+  EXPECT_DOUBLE_EQ(value("1%", ""), 0.01);
+  EXPECT_DOUBLE_EQ(value("0.002", ""), 0.002);
+  EXPECT_DOUBLE_EQ(value("1.5px", ""), 1.5);
+  EXPECT_DOUBLE_EQ(value("", "40ms"), 1.0);
+  EXPECT_DOUBLE_EQ(value("", "60s"), 15);
+  EXPECT_DOUBLE_EQ(value("", "2min"), 30);
+  EXPECT_DOUBLE_EQ(value("", "realtime"), 1);
+  for (const char* wrong : {"0%", "-1%", "1 per cent", "px", "1e999%", "nan%", "%"})
+    EXPECT_NE(error_of([&] { value(wrong, ""); }).find(std::string("--target ") + wrong + ": must be"),
+              std::string::npos)
+        << wrong;
+  for (const char* wrong : {"33", "fast", "-1s", "0ms", "1h"})
+    EXPECT_NE(error_of([&] { value("", wrong); }).find(std::string("--budget ") + wrong + ": must be"),
+              std::string::npos)
+        << wrong;
+  EXPECT_NE(error_of([&] { value("1%", "realtime"); }).find("give one of them"), std::string::npos);
+}
+
+TEST(Plan, IsAsDeepAsTheTimeAllows) {
+  EXPECT_EQ(affordable_plan(1e6, 1, 4, 90).depth, 8);
+  EXPECT_EQ(affordable_plan(1e6, 1, 4, 90).frames, 90);
+  const Plan less = affordable_plan(100, 100, 4, 90);
+  EXPECT_EQ(less.depth, 2);
+  EXPECT_LT(less.frames, 90);
+  EXPECT_EQ(affordable_plan(1e-3, 1e3, 4, 90).frames, 12);
+}
+
+// Runs with known times and bounds.
+struct Scores {
+  std::vector<CaseRun> runs;
+  std::vector<Score> list;
+  Scores(std::initializer_list<std::pair<double, double>> points) {
+    for (const auto& [seconds, error] : points) {
+      CaseRun run;
+      run.status = Status::done;
+      run.which.settings = {{"time.substeps", std::to_string(runs.size())}};
+      run.work.seconds = {seconds};
+      runs.push_back(run);
+      Score score;
+      score.bound = {error, error, 100 * error};
+      list.push_back(score);
+    }
+    for (std::size_t k = 0; k < runs.size(); ++k) list[k].run = &runs[k];
+  }
+  std::vector<const Score*> pointers() const {
+    std::vector<const Score*> all;
+    for (const Score& score : list) all.push_back(&score);
+    return all;
+  }
+};
+
+TEST(Advice, IsTheFastestWithinTheErrorAndTheMostAccurateWithinTheTime) {
+  const Scores scores{{1, 0.1}, {2, 0.009}, {3, 0.011}, {4, 0.001}, {8, 0.0009}};
+  const auto chosen = [&](const Goal& goal) { return choose(scores.pointers(), goal)->seconds(); };
+  EXPECT_EQ(chosen({Goal::Kind::error, 0.01, ""}), 2);
+  EXPECT_EQ(chosen({Goal::Kind::pixels, 0.2, ""}), 4);
+  EXPECT_EQ(chosen({Goal::Kind::time, 5, ""}), 4);
+  EXPECT_EQ(chosen({Goal::Kind::time, 2.1, ""}), 1);    // a tenth is kept in hand
+  EXPECT_EQ(chosen({Goal::Kind::error, 1e-6, ""}), 8);  // none is within it: the nearest
+  EXPECT_EQ(chosen({Goal::Kind::time, 0.01, ""}), 1);
+  EXPECT_EQ(chosen({}), 4);
+}
+
+TEST(Advice, IsWrittenAsTables) {
+  const Case which{"",
+                   Axis::rest,
+                   {{"time.integrator", "tr-bdf2"},
+                    {"body.0.mesh.cells", "[2, 1]"},
+                    {"time.substeps", "4"},
+                    {"body.0.mesh.element", "\"tri6\""}}};
+  EXPECT_EQ(advice_toml(which, "why"),
+            "# why\n\n[body.0.mesh]\ncells = [2, 1]\nelement = \"tri6\"\n\n[time]\nintegrator = \"tr-bdf2\"\n"
+            "substeps = 4\n");
+}
+
+}  // namespace
+}  // namespace app

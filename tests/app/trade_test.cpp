@@ -1,0 +1,297 @@
+// `ritz trade` on a small smooth scene: orders, errors, resuming, jobs. Never seconds.
+#include "app/trade/trade.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/scene_file.h"
+#include "app/trade/case_file.h"
+#include "app/trade/features.h"
+#include "app/trade/table.h"
+#include "tests/app/temporary_folder.h"
+
+namespace app {
+namespace {
+
+// A plate in the plane, pulled upwards by a load that rises smoothly.
+constexpr const char* kPlate = R"(
+title = "plate"
+[time]
+seconds = 0.4
+fps = 30
+[solver]
+tolerance = 1e-6
+[world]
+gravity = [0, 0]
+[[body]]
+name = "plate"
+mesh = { rectangle = [2, 1], cells = [4, 2] }
+material = { young = 2e4, poisson = 0.3 }
+pin = [{ group = "left" }]
+traction = [{ group = "right", value = [0, 1000], ramp = 0.4 }]
+)";
+
+constexpr double kNoClock = 1e6;  // s: more than any test takes
+const Plan kPlan{4, 12};
+
+class TradeTest : public testing::Test {
+ protected:
+  Options options(const char* text = kPlate) const {
+    write_all(folder_ / "plate.toml", text);
+    Options options;
+    options.scene = folder_ / "plate.toml";
+    options.out = folder_ / "trade";
+    options.quiet = true;
+    return options;
+  }
+  // Rows of trade.csv by case: column name to cell.
+  std::map<std::string, std::map<std::string, std::string>> rows(const std::filesystem::path& folder) const {
+    std::istringstream text(read_all(folder / "trade.csv"));
+    std::map<std::string, std::map<std::string, std::string>> all;
+    std::vector<std::string> names;
+    for (std::string line; std::getline(text, line);) {
+      const std::vector<std::string> cells = split(line);
+      if (names.empty()) {
+        names = cells;
+        continue;
+      }
+      EXPECT_EQ(cells.size(), names.size()) << line;
+      for (std::size_t k = 0; k < cells.size(); ++k) all[cells[0]][names[k]] = cells[k];
+    }
+    return all;
+  }
+  static std::vector<std::string> split(const std::string& line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"')
+        quoted = !quoted;
+      else if (c == ',' && !quoted)
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    }
+    return cells;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
+  const Interrupt interrupt;
+  Options with = options();
+  with.trade.keep_mesh = true;
+  Trade trade(with, folder_ / "trade", kNoClock, interrupt);
+  ASSERT_TRUE(trade.measure(kPlan));
+  const Diagram diagram = trade.diagram();
+  for (const Slope& slope : slopes(diagram.scores)) {
+    if (slope.integrator == "linearly-implicit") continue;  // one Newton step: its order shows later
+    EXPECT_NEAR(slope.slope, slope.order, 0.3) << slope.integrator;
+  }
+  EXPECT_GE(slopes(diagram.scores).size(), 6U);
+  auto all = rows(folder_ / "trade");
+  const auto error = [&](const std::string& name) { return std::stod(all.at(name).at("time_error")); };
+  for (const char* step : {"h=1/30", "h=1/60", "h=1/120"}) {
+    EXPECT_LT(error(std::string("tr-bdf2 ") + step), 0.3 * error(std::string("backward-euler ") + step)) << step;
+    EXPECT_LT(error(std::string("tr-bdf2 ") + step), error(std::string("bdf2 ") + step)) << step;
+  }
+  EXPECT_LT(error("central-difference h=auto"), error("tr-bdf2 h=1/30"));
+}
+
+TEST_F(TradeTest, MeshErrorsAreApartFromTimeErrorsAndFallWithTheCells) {
+  const Interrupt interrupt;
+  Trade trade(options(), folder_ / "trade", kNoClock, interrupt);
+  ASSERT_TRUE(trade.measure(kPlan));
+  auto all = rows(folder_ / "trade");
+  const auto mesh = [&](const std::string& name) { return std::stod(all.at(name).at("mesh_error")); };
+  EXPECT_GT(mesh("tr-bdf2 h=1/60, half the cells, tri3"), 1.5 * mesh("tr-bdf2 h=1/60"));
+  EXPECT_GT(mesh("tr-bdf2 h=1/60"), 1.5 * mesh("tr-bdf2 h=1/60, cells split once, tri3"));
+  EXPECT_GT(mesh("tr-bdf2 h=1/60"), 5 * mesh("tr-bdf2 h=1/60, tri6"));
+  EXPECT_EQ(all.at("tr-bdf2 h=1/60, tri6").at("time_error"), "");
+  EXPECT_EQ(all.at("tr-bdf2 h=1/30").at("mesh_error"), "");
+  // The total is within the sum of its parts.
+  const auto number = [&](const std::string& name, const std::string& column) {
+    return std::stod(all.at(name).at(column));
+  };
+  for (const char* name : {"backward-euler h=1/30", "tr-bdf2 h=1/30", "bdf2 h=1/120"})
+    EXPECT_LT(number(name, "total_error"),
+              1.05 * (number(name, "time_error") + mesh("tr-bdf2 h=1/60") + number("tr-bdf2 h=1/60", "time_error")))
+        << name;
+}
+
+TEST_F(TradeTest, ARunThatExistsIsNotMadeAgain) {
+  const Interrupt interrupt;
+  Options with = options();
+  with.trade.keep_mesh = true;
+  {
+    Trade trade(with, folder_ / "trade", kNoClock, interrupt);
+    ASSERT_TRUE(trade.measure(kPlan));
+  }
+  const auto before = rows(folder_ / "trade");
+  std::map<std::filesystem::path, std::filesystem::file_time_type> times;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "trade/cases"))
+    times[entry.path()] = entry.last_write_time();
+  ASSERT_GT(times.size(), 20U);
+  const std::filesystem::path one = times.rbegin()->first;  // as if it had been interrupted before this one
+  std::filesystem::remove(one);
+  {
+    Trade trade(with, folder_ / "trade", kNoClock, interrupt);
+    ASSERT_TRUE(trade.measure(kPlan));
+  }
+  for (const auto& [path, time] : times) {
+    ASSERT_TRUE(std::filesystem::exists(path)) << path;
+    if (path != one) {
+      EXPECT_EQ(std::filesystem::last_write_time(path), time) << path;
+    }
+  }
+  for (const auto& [name, row] : rows(folder_ / "trade")) {
+    if (!before.contains(name)) continue;  // what is tried around the front depends on wall times
+    for (const char* column : {"time_error", "time_pixels", "linear_per_second", "id", "status"})
+      EXPECT_EQ(row.at(column), before.at(name).at(column)) << name << ' ' << column;
+  }
+}
+
+TEST_F(TradeTest, JobsAndCollectEqualOneProcess) {
+  Options with = options();
+  with.out = folder_ / "jobs";
+  const Ground ground = make_ground(with);
+  const Plan plan{4, ground.scene.last_frame()};
+  const std::size_t jobs = independent_cases(ground.scene.document, plan, false).size();
+  for (std::size_t k = 0; k < jobs; ++k) {
+    Options one = with;
+    one.trade.one_case = static_cast<int>(k);
+    ASSERT_EQ(trade(one), kDone) << k;
+  }
+  with.trade.collect = true;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(with), kDone);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("Advice for the knee"), std::string::npos);
+  const Interrupt interrupt;
+  Trade whole(options(), folder_ / "trade", kNoClock, interrupt);
+  ASSERT_TRUE(whole.measure(plan));
+  const auto one = rows(folder_ / "trade"), collected = rows(folder_ / "jobs");
+  std::size_t compared = 0;
+  for (const auto& [name, row] : collected) {
+    if (!one.contains(name)) continue;
+    ++compared;
+    for (const char* column :
+         {"time_error", "mesh_error", "total_error", "total_pixels", "force_evaluations_per_second",
+          "linear_per_second", "factorisations_per_second", "id", "status"})
+      EXPECT_EQ(row.at(column), one.at(name).at(column)) << name << ' ' << column;
+  }
+  EXPECT_GE(compared, 35U);
+  EXPECT_LT(collected.size(), jobs + 2);
+}
+
+TEST_F(TradeTest, LeavesAdviceThatIsASettingsFile) {
+  Options with = options();
+  with.trade.target = "5%";
+  with.trade.minutes = 0.5;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(with), kDone);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("Advice for an error of 5%: "), std::string::npos) << said;
+  EXPECT_NE(said.find("A fresh run found "), std::string::npos);
+  const Document advised = load_scene(with.scene, with.out / "advice.toml");
+  EXPECT_FALSE(advised.scene.time.integrator.empty());
+  for (const char* file : {"trade.csv", "trade.json", "trade.gp", "plan.toml"})
+    EXPECT_TRUE(std::filesystem::exists(with.out / file)) << file;
+}
+
+TEST_F(TradeTest, AFolderIsForOneScene) {
+  const Interrupt interrupt;
+  Options with = options();
+  make_ground(with);
+  { Trade trade(with, folder_ / "trade", kNoClock, interrupt); }
+  with.overrides.push_back({"body.0.material.young", "1e5", "--set body.0.material.young=1e5"});
+  EXPECT_NE(error_of([&] { Trade(with, folder_ / "trade", kNoClock, interrupt); }).find("another scene"),
+            std::string::npos);
+  with.overwrite = true;
+  EXPECT_EQ(error_of([&] { Trade(with, folder_ / "trade", kNoClock, interrupt); }), "");
+}
+
+TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
+  const Ground ground = make_ground(options());
+  const auto id = [&](const std::string& key, const std::string& value) {
+    Options changed = options();
+    if (!key.empty()) changed.overrides.push_back({key, value, key});
+    return case_id(ground, build_simulation(changed));
+  };
+  const std::uint64_t same = id("", "");
+  EXPECT_EQ(id("title", "other"), same);
+  EXPECT_EQ(id("look.wireframe", "true"), same);
+  for (const auto& [key, value] : std::map<std::string, std::string>{{"body.0.material.young", "3e4"},
+                                                                     {"body.0.mesh.cells", "[5, 2]"},
+                                                                     {"time.substeps", "2"},
+                                                                     {"solver.tolerance", "1e-5"}})
+    EXPECT_NE(id(key, value), same) << key;
+  Ground shorter = make_ground(options());
+  shorter.stretch = stretch_of(shorter, 6);
+  EXPECT_NE(case_id(shorter, shorter.scene), same);
+}
+
+TEST_F(TradeTest, RunsAreReadBackAsTheyWere) {
+  const Interrupt interrupt;
+  const Ground ground = make_ground(options());
+  const Case which = with({"a \"case\"", Axis::rest, {}}, "tight", "solver.tolerance", "1e-8");
+  const CaseRun run =
+      run_case(ground, which, build_simulation(options_of(ground.options, which)), {kNoClock, 0}, interrupt);
+  ASSERT_EQ(run.status, Status::done) << run.reason;
+  const std::string bytes = encode(run);
+  const auto read = decode_case(bytes);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(encode(*read), bytes);
+  EXPECT_EQ(read->path.x, run.path.x);
+  EXPECT_EQ(read->which.settings, which.settings);
+  EXPECT_FALSE(decode_case(bytes.substr(0, bytes.size() - 1)));
+  EXPECT_FALSE(decode_case(bytes.substr(0, bytes.size() / 2)));
+  EXPECT_FALSE(decode_case("nothing"));
+}
+
+TEST_F(TradeTest, RefusesWhatCannotBeTraded) {
+  Options with = options();
+  with.overrides.push_back({"time.integrator", "static", "--set time.integrator=static"});
+  EXPECT_NE(error_of([&] { trade(with); }).find("there is no motion to trade"), std::string::npos);
+  Options one = options();
+  one.trade.one_case = 1000;
+  EXPECT_NE(error_of([&] { trade(one); }).find("--case 1000: must be 0 to "), std::string::npos);
+}
+
+TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
+  const std::string text = std::string(kPlate) +
+                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nplane = { point = [0, -9], "
+                           "normal = [0, 1] }\nfriction = 0.3\n[[obstacle]]\nsphere = [[9, 9], 1]\n";
+  Options with = options(text.c_str());
+  with.trade.ablate = true;
+  const Document scene = load_scene(with.scene);
+  std::vector<std::string> names;
+  for (const Case& which : without_features(scene)) names.push_back(which.label);
+  const std::vector<std::string> expected = {"plate: damping beta",
+                                             "plate: consistent mass (lumped instead)",
+                                             "plate: tractions",
+                                             "plate: nonlinear material (linear instead)",
+                                             "obstacle 0",
+                                             "obstacle 0: friction",
+                                             "obstacle 1",
+                                             "Newton's method (linearly-implicit instead)",
+                                             "definiteness fix (exact tangent instead)",
+                                             "tolerance (1e-2 instead)"};
+  EXPECT_EQ(names, expected);
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(with), kDone);
+  const std::string table = testing::internal::GetCapturedStdout();
+  const auto line = [&](const std::string& name) {
+    const std::size_t at = table.find("  " + name + " ");
+    return at == std::string::npos ? std::string() : table.substr(at, table.find('\n', at) - at);
+  };
+  EXPECT_NE(line("obstacle 1").find("it can go"), std::string::npos) << table;  // never touched
+  EXPECT_EQ(line("plate: tractions").find("it can go"), std::string::npos) << table;
+  EXPECT_TRUE(std::filesystem::exists(with.out / "ablate.csv"));
+}
+
+}  // namespace
+}  // namespace app
