@@ -1,6 +1,7 @@
 #include "app/run_loop.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -83,13 +84,17 @@ class Runner {
     outcome_.inverted = report.inverted;
     if (!report.converged && outcome_.not_converged_reason.empty()) outcome_.not_converged_reason = report.reason;
     if (report.no_factor) outcome_.no_factor = true;
-    progress_.note(trouble(totals));
+    progress_.note(note(report, totals));
   }
 
-  // ", 3 not converged, 12 halved"; empty while all goes well.
-  static std::string trouble(const Totals& totals) {
-    std::string text;
-    if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " not converged";
+  // ", Newton 3 (residual 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
+  static std::string note(const sim::StepReport& report, const Totals& totals) {
+    char newton[64] = "";
+    if (report.newton > 0) {
+      std::snprintf(newton, sizeof newton, ", Newton %d (residual %.1g)", report.newton, report.residual);
+    }
+    std::string text = newton;
+    if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " steps not converged";
     if (totals.splits > 0) text += ", " + std::to_string(totals.splits) + " halved";
     return text;
   }

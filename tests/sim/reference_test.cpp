@@ -63,10 +63,13 @@ TEST(Locking, QuadraticTetsBendWhereLinearOnesDoNot) {
               converged, tet10, 100 * (tet10 / converged - 1), tet4, 100 * (tet4 / converged - 1));
   EXPECT_NEAR(tet10 / converged, 1, 0.02);
   EXPECT_LT(tet4 / converged, 0.9) << "linear tets no longer lock: take the warning back";
-  Scene scene = test::beam("tet4", 1, 1e6, 0.499);
-  EXPECT_NE(System(scene).remarks().size(), 0u);
-  scene = test::beam("tet10", 1, 1e6, 0.499);
-  EXPECT_EQ(System(scene).remarks().size(), 0u);
+  const auto warned = [](const char* element) {
+    const auto remarks = System(test::beam(element, 1, 1e6, 0.499)).remarks();
+    return std::any_of(remarks.begin(), remarks.end(),
+                       [](const std::string& remark) { return remark.find("lock") != std::string::npos; });
+  };
+  EXPECT_TRUE(warned("tet4"));
+  EXPECT_FALSE(warned("tet10"));
 }
 
 // A ratio of 1e6 between two regions of one body: the stiff half stays straight, the soft one takes the bending.
