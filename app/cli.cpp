@@ -144,6 +144,9 @@ void add_stress_options(CLI::App& command, Options& options) {
   command.add_option("-o,--out", options.out, "Folder of stress.csv [out/stress]")->type_name("DIR");
   command.add_flag("--overwrite", options.overwrite, "Replace the stress.csv of an earlier run");
   command.add_flag("--quick", options.quick, "A part of the matrix, under a minute");
+  command.add_option("--seeds", options.seeds, "Run each case so often, with seeds from --seed on")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
   command
       .add_option("--only", options.only,
                   "The cases with this in their name, as in --only \"start/*tet4*sdirk2\"; * is anything")

@@ -39,6 +39,7 @@ struct Options {
   double expect_share = 0.001;      // of the pixels that may differ by more
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
   bool quick = false;               // stress: a part of the matrix, under a minute
+  int seeds = 1;                    // stress: runs of each case, with seeds one after the other
   std::string only;                 // stress: the cases whose name has this in it; empty: all
   std::filesystem::path replay;     // record: the session to draw again; empty: none
   bool panel = false;               // record: the panel is drawn into the frames

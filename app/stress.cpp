@@ -11,16 +11,19 @@
 #include "app/progress.h"
 #include "app/scene_file.h"
 #include "app/stopwatch.h"
+#include "app/stress/flight.h"
 #include "app/stress/table.h"
 
 namespace app {
 namespace {
 
-CaseResult run_case(const Case& c, std::uint64_t seed, const std::function<bool()>& interrupted) {
+constexpr std::int64_t kLongRun = 100000;  // steps
+
+CaseResult run_case(const Case& c, const std::function<bool()>& interrupted) {
   const Stopwatch watch;
   CaseResult result;
   try {
-    const sim::System system(c.scene(seed), 1);
+    const sim::System system(c.scene(), 1);
     result.recovery = sim::recover(system, c.steps, c.extreme->loaded, interrupted);
   } catch (const sim::InputError& error) {
     result.refused = error.what();
@@ -32,8 +35,8 @@ CaseResult run_case(const Case& c, std::uint64_t seed, const std::function<bool(
 // Runs the cases on some threads and prints them in their order, each as soon as those before it are done.
 class Board {
  public:
-  Board(const std::vector<Case>& cases, std::uint64_t seed, bool quiet)
-      : cases_(cases), seed_(seed), style_(progress_style(quiet)), results_(cases.size()), done_(cases.size()) {}
+  Board(const std::vector<Case>& cases, bool quiet)
+      : cases_(cases), style_(progress_style(quiet)), results_(cases.size()), done_(cases.size()) {}
 
   // The results of the cases that were run: all of them, unless interrupted.
   std::vector<CaseResult> run(int threads) {
@@ -50,7 +53,7 @@ class Board {
   void work() {
     const auto stop = [this] { return interrupted(); };
     for (std::size_t k = next_++; k < cases_.size() && !interrupted(); k = next_++) {
-      CaseResult result = run_case(cases_[k], seed_, stop);
+      CaseResult result = run_case(cases_[k], stop);
       if (interrupted()) return;
       const std::lock_guard lock(mutex_);
       results_[k] = std::move(result);
@@ -73,7 +76,6 @@ class Board {
   }
 
   const std::vector<Case>& cases_;
-  std::uint64_t seed_;
   ProgressStyle style_;
   std::vector<CaseResult> results_;
   std::vector<bool> done_;
@@ -105,13 +107,15 @@ std::filesystem::path csv_path(const Options& options) {
 int stress(const Options& options) {
   const std::vector<Subject> bodies = subjects(options);
   const std::vector<Extreme> rows = extremes();
-  std::vector<Case> cases = make_cases(bodies, rows, options.quick, options.only);
+  std::vector<Case> cases = make_cases(bodies, rows, {options.quick, options.only, options.seed, options.seeds});
   if (cases.empty()) throw std::runtime_error("--only " + options.only + ": no case has this in its name");
   const std::filesystem::path file = csv_path(options);
-  Board board(cases, options.seed, options.quiet);
+  Board board(cases, options.quiet);
   const std::vector<CaseResult> results = board.run(options.threads);
   cases.resize(results.size());
   std::cout << table_summary(cases, results);
+  if (options.scene.empty() && options.only.empty() && !options.quick && !board.interrupted())
+    std::cout << flight_table(fly(kLongRun, options.threads, [&] { return board.interrupted(); }), kLongRun);
   write_atomically(file, stress_csv(cases, results), false);
   return board.interrupted() ? kInterrupted : kDone;
 }

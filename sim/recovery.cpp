@@ -1,5 +1,6 @@
 #include "sim/recovery.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -65,16 +66,35 @@ double steps_per_wave(const System& system) {
   return size * std::sqrt(mass / parts.energy_scale) / parts.h();
 }
 
-// Tells from the shapes at every tenth step whether they still change.
+// When the last script of the scene ends [s].
+double script_end(const System::Parts& parts) {
+  double end = 0;
+  for (const Body& body : parts.bodies) {
+    for (const Pin& pin : body.pins)
+      end = std::max({end, pin.motion.empty() ? 0 : pin.motion.back().t, pin.release.value_or(0)});
+    for (const Traction& traction : body.tractions) end = std::max(end, traction.ramp);
+  }
+  return end;
+}
+
+// Tells at every tenth step whether the shapes still change; under loads, whether anything moves: a falling body keeps
+// its shape.
 class Rest {
  public:
-  Rest(const System& system, const State& state) : system_(system), x_(state.x), per_wave_(steps_per_wave(system)) {}
+  Rest(const System& system, const State& state, bool loaded)
+      : system_(system),
+        x_(state.x),
+        loaded_(loaded),
+        per_wave_(steps_per_wave(system)),
+        script_end_(script_end(system.parts())) {}
 
   void look(const State& state) {
     if (state.step % every != 0) return;
-    moved_ = shape_distance(system_, state.x, x_) / every * std::max(1.0, per_wave_);
+    double moved = shape_distance(system_, state.x, x_);
+    if (loaded_) moved = std::max(moved, (state.x - x_).cwiseAbs().maxCoeff() / system_.parts().node_size.minCoeff());
+    moved_ = moved / every * std::max(1.0, per_wave_);
     x_ = state.x;
-    quiet_ = moved_ < 1e-9 ? quiet_ + 1 : 0;
+    quiet_ = moved_ < 1e-9 && system_.time(state.step) > script_end_ ? quiet_ + 1 : 0;
   }
   bool settled() const { return moved_ < 1e-5; }
   bool dead() const { return quiet_ >= 3; }
@@ -83,7 +103,8 @@ class Rest {
   static constexpr int every = 10;
   const System& system_;
   Eigen::VectorXd x_;
-  double per_wave_;
+  bool loaded_;
+  double per_wave_, script_end_;
   double moved_ = 1;  // in the time of a wave or of a step, whichever is longer [body sizes]
   int quiet_ = 0;
 };
@@ -113,7 +134,7 @@ Recovery recover(const System& system, std::int64_t steps, bool loaded, const st
   constexpr double near = 1e-4;
   const auto stepper = make_stepper(system, 1);
   State state = system.initial_state();
-  Rest rest(system, state);
+  Rest rest(system, state, loaded);
   Recovery r;
   while (state.step < steps && !rest.dead() && !interrupted()) {
     const StepReport report = stepper->step(state);

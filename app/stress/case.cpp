@@ -35,6 +35,10 @@ bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
   return subject.element == "tet4" && is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated");
 }
 
+bool is_quick(const Subject& subject, const Extreme& extreme) {
+  return extreme.quick && (extreme.group == "start" || !subject.built_in || subject.scheme == "backward-euler");
+}
+
 // Long enough to come to rest, short enough to be run.
 std::int64_t step_count(const sim::Scene& scene) {
   constexpr double seconds = 5;
@@ -51,7 +55,7 @@ std::string Case::name() const {
          subject->scheme;
 }
 
-sim::Scene Case::scene(std::uint64_t seed) const {
+sim::Scene Case::scene() const {
   sim::Scene scene = subject->scene;
   scene.seed = seed;
   extreme->change(scene);
@@ -60,22 +64,23 @@ sim::Scene Case::scene(std::uint64_t seed) const {
 
 std::vector<Extreme> extremes() {
   std::vector<Extreme> all;
-  for (const auto group : {start_extremes, step_extremes, material_extremes, mesh_extremes, script_extremes})
+  for (const auto group :
+       {start_extremes, untangle_extremes, step_extremes, material_extremes, mesh_extremes, script_extremes})
     for (Extreme& extreme : group()) all.push_back(std::move(extreme));
   return all;
 }
 
-std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes, bool quick,
-                             const std::string& only) {
+std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
+                             const Choice& choice) {
   std::vector<Case> cases;
   for (const Extreme& extreme : extremes)
     for (const Subject& subject : subjects) {
-      Case c{&subject, &extreme, 0};
-      if ((quick && !extreme.quick) || !has_meaning(subject, extreme) || !is_in_matrix(subject, extreme)) continue;
-      if (quick && extreme.group != "start" && subject.scheme != "backward-euler" && subject.built_in) continue;
-      if (!only.empty() && fnmatch(("*" + only + "*").c_str(), c.name().c_str(), 0) != 0) continue;
-      c.steps = step_count(c.scene(1));
-      cases.push_back(c);
+      Case c{&subject, &extreme, choice.seed, 0};
+      if (!has_meaning(subject, extreme) || !is_in_matrix(subject, extreme)) continue;
+      if (choice.quick && !is_quick(subject, extreme)) continue;
+      if (!choice.only.empty() && fnmatch(("*" + choice.only + "*").c_str(), c.name().c_str(), 0) != 0) continue;
+      c.steps = step_count(c.scene());
+      for (int k = 0; k < choice.seeds; ++k, ++c.seed) cases.push_back(c);
     }
   return cases;
 }

@@ -27,11 +27,12 @@ struct Extreme {
 struct Case {
   const Subject* subject;
   const Extreme* extreme;
+  std::uint64_t seed;
   std::int64_t steps;
 
   // "start/scrambled tet4 stable-neo-hookean backward-euler": what --only is compared with
   std::string name() const;
-  sim::Scene scene(std::uint64_t seed) const;
+  sim::Scene scene() const;
 };
 
 std::vector<Subject> built_in_subjects(bool quick);
@@ -42,9 +43,16 @@ Subject subject_of(const sim::Scene& scene);
 // All extremes, in the order of the table.
 std::vector<Extreme> extremes();
 
-// What is run: every combination that means something; `only` (a pattern with * and ?, found anywhere) thins it out.
-// Subjects and extremes must outlive the cases.
-std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes, bool quick,
-                             const std::string& only);
+// Which of the matrix is run.
+struct Choice {
+  bool quick = false;
+  std::string only;        // a pattern with * and ?, found anywhere in the name; empty: all
+  std::uint64_t seed = 1;  // of the first run of each case
+  int seeds = 1;           // runs of each case, with seeds one after the other
+};
+
+// Every combination that means something and is chosen. Subjects and extremes must outlive the cases.
+std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
+                             const Choice& choice);
 
 }  // namespace app

@@ -6,6 +6,7 @@
 namespace app {
 
 std::vector<Extreme> start_extremes();
+std::vector<Extreme> untangle_extremes();
 std::vector<Extreme> step_extremes();
 std::vector<Extreme> material_extremes();
 std::vector<Extreme> mesh_extremes();

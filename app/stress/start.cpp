@@ -28,4 +28,29 @@ std::vector<Extreme> start_extremes() {
   return all;
 }
 
+// What would stay stuck, with the pull that undoes inversions and folds switched on.
+std::vector<Extreme> untangle_extremes() {
+  const auto pulled = [](const std::string& name, bool quick, const std::function<void(sim::Scene&)>& change) {
+    return Extreme{"untangle", name, quick, false, [change](sim::Scene& scene) {
+                     change(scene);
+                     for (sim::Body& body : scene.bodies) body.untangle = 1;
+                   }};
+  };
+  std::vector<Extreme> all = {pulled("scrambled", false, scramble),
+                              pulled("scrambled, h = 1 s", true,
+                                     [](sim::Scene& scene) {
+                                       scramble(scene);
+                                       set_step(scene, 1);
+                                     }),
+                              pulled("scrambled, E = 1e9 Pa", true, [](sim::Scene& scene) {
+                                scramble(scene);
+                                for (sim::Body& body : scene.bodies) body.materials.front().young = 1e9;
+                              })};
+  for (const char* name : {"line", "point", "mirrored", "stretched"})
+    all.push_back(pulled(name, false, [name](sim::Scene& scene) {
+      for (sim::Body& body : scene.bodies) body.start.shape = name;
+    }));
+  return all;
+}
+
 }  // namespace app

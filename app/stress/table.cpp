@@ -76,14 +76,16 @@ std::string table_summary(const std::vector<Case>& cases, const std::vector<Case
 
 std::string stress_csv(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
   std::string csv =
-      "extreme,body,material,integrator,verdict,distance,min_J,inverted,wound,steps,not_converged,halved,newton,linear,"
+      "extreme,seed,body,material,integrator,verdict,distance,min_J,inverted,wound,steps,not_converged,halved,newton,"
+      "linear,"
       "seconds,reason\n";
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const Case& c = cases[k];
     const CaseResult& result = results[k];
     const sim::Recovery& r = result.recovery;
-    csv += field(c.extreme->group + "/" + c.extreme->name) + "," + field(c.subject->element) + "," +
-           field(c.subject->material) + "," + c.subject->scheme + "," + field(verdict_of(result));
+    csv += field(c.extreme->group + "/" + c.extreme->name) + "," + std::to_string(c.seed) + "," +
+           field(c.subject->element) + "," + field(c.subject->material) + "," + c.subject->scheme + "," +
+           field(verdict_of(result));
     for (const double number : {r.distance, r.min_J}) append_number(csv += ',', number);
     for (const std::int64_t number : {std::int64_t{r.inverted}, std::int64_t{r.wound}, r.steps,
                                       std::int64_t{r.not_converged}, r.splits, r.newton, r.linear})

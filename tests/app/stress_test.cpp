@@ -22,7 +22,7 @@ std::set<std::string> names(const std::vector<Case>& cases) {
 TEST(Stress, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
   const auto subjects = built_in_subjects(false);
   const auto rows = extremes();
-  const auto cases = make_cases(subjects, rows, false, "");
+  const auto cases = make_cases(subjects, rows, {});
   const auto all = names(cases);
   EXPECT_EQ(all.size(), cases.size());  // no name twice
   for (const char* start : {"scrambled", "plane", "plane 1e-6", "line", "point", "mirrored", "inverted", "twisted",
@@ -39,21 +39,23 @@ TEST(Stress, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
 TEST(Stress, OnlyAndQuickThinItOut) {
   const auto subjects = built_in_subjects(true);
   const auto rows = extremes();
-  const auto quick = make_cases(subjects, rows, true, "");
+  const auto quick = make_cases(subjects, rows, {.quick = true});
   EXPECT_LT(quick.size(), 100u);
-  const auto only = make_cases(subjects, rows, true, "twisted*sdirk2");
-  ASSERT_EQ(only.size(), 1u);
+  const auto only = make_cases(subjects, rows, {.quick = true, .only = "twisted*sdirk2", .seed = 5, .seeds = 2});
+  ASSERT_EQ(only.size(), 2u);
+  EXPECT_EQ(only[0].seed, 5u);
+  EXPECT_EQ(only[1].seed, 6u);
   EXPECT_EQ(only[0].name(), "start/twisted tet4 stable-neo-hookean sdirk2");
-  EXPECT_TRUE(make_cases(subjects, rows, true, "nothing has this name").empty());
+  EXPECT_TRUE(make_cases(subjects, rows, {.only = "nothing has this name"}).empty());
 }
 
 // Every scene of the matrix can be built, or is refused for a reason that is told.
 TEST(Stress, EveryCaseIsASceneThatCanBeBuilt) {
   const auto subjects = built_in_subjects(false);
   const auto rows = extremes();
-  for (const Case& c : make_cases(subjects, rows, false, "")) {
+  for (const Case& c : make_cases(subjects, rows, {})) {
     try {
-      const sim::System system(c.scene(3));
+      const sim::System system(c.scene());
       EXPECT_GE(c.steps, 100) << c.name();
     } catch (const sim::InputError& error) {
       EXPECT_NE(c.name().find("neo-hookean"), std::string::npos) << c.name() << ": " << error.what();
@@ -88,12 +90,12 @@ TEST(Stress, TableAndCsvSayTheSame) {
   result.recovery.reason = "solver.max_iterations reached";
   CaseResult refused;
   refused.refused = "has a \"reason\", and more";
-  const std::vector<Case> cases = {{&subject, &rows[0], 10}, {&subject, &rows[1], 10}};
+  const std::vector<Case> cases = {{&subject, &rows[0], 3, 10}, {&subject, &rows[1], 3, 10}};
   const std::string row = table_row(cases[0], result);
   EXPECT_NE(row.find("other equilibrium"), std::string::npos);
   EXPECT_NE(row.find(" 2.50 "), std::string::npos) << row;  // iterations a step
   const std::string csv = stress_csv(cases, {result, refused});
-  EXPECT_NE(csv.find("\"start/scrambled\",\"tet4\",\"stable-neo-hookean\",backward-euler,\"other equilibrium\""),
+  EXPECT_NE(csv.find("\"start/scrambled\",3,\"tet4\",\"stable-neo-hookean\",backward-euler,\"other equilibrium\""),
             std::string::npos)
       << csv;
   EXPECT_NE(csv.find("\"has a \"\"reason\"\", and more\""), std::string::npos) << csv;
@@ -114,7 +116,7 @@ TEST(Stress, TheCommandLeavesItsCsvAndOverwritesNone) {
   const std::string table = testing::internal::GetCapturedStdout();
   EXPECT_NE(table.find("start/far"), std::string::npos);
   EXPECT_NE(table.find("5 cases: 5 recovered"), std::string::npos) << table;
-  EXPECT_TRUE(read_all(folder / "s/stress.csv").starts_with("extreme,body,material,integrator,verdict,"));
+  EXPECT_TRUE(read_all(folder / "s/stress.csv").starts_with("extreme,seed,body,material,integrator,verdict,"));
   EXPECT_NE(error_of([&] { stress(options); }).find("--overwrite"), std::string::npos);
 }
 
