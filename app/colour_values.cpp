@@ -7,10 +7,10 @@
 namespace app {
 namespace {
 
-// 1, 2 or 5 times a power of ten, at least x > 0.
+// 1, 1.5, 2, 3, 4, 6 or 8 times a power of ten, at least x > 0.
 double round_up(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
-  for (const double step : {1.0, 2.0, 5.0}) {
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0}) {
     if (x <= step * power * (1 + 1e-9)) return step * power;
   }
   return 10 * power;

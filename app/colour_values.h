@@ -30,7 +30,7 @@ struct ColourRange {
 };
 
 // The look's own range, or round numbers around what is expected and what has been reached so far: it grows in steps of
-// 1, 2, 5, 10 and never shrinks, and a run that was resumed goes on with the same.
+// a third or so and never shrinks, and a run that was resumed goes on with the same.
 ColourRange colour_range(sim::Quantity quantity, const Look& look, double reach);
 
 }  // namespace app

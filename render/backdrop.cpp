@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "render/light.h"
@@ -95,8 +96,21 @@ Disc disc_of(const Point& point, const Point& direction, const View& view, float
   return {view.target - height * normal, across, normal.cross(across), tint};
 }
 
+// The ground fades where it is seen from so low that it would be a line across the picture.
+float ground_opacity(const Ground& ground, const View& view) {
+  if (!faces_eye(ground.point, ground.normal, view)) return 0;
+  if (view.orthographic) return 1;
+  const float height = to_vector(ground.normal).normalized().dot(view.eye - to_vector(ground.point));
+  return std::clamp((height / (view.eye - view.target).norm() - 0.01F) / 0.07F, 0.0F, 1.0F);
+}
+
+bool shows_ground(const Frame& frame, const View& view) {
+  return frame.ground && ground_opacity(*frame.ground, view) > 0;
+}
+
 Disc ground_disc(const Ground& ground, const View& view) {
-  return disc_of(ground.point, ground.normal, view, 3.2F * view.extent, {0.965F, 0.965F, 0.96F, 1});
+  const float opacity = ground_opacity(ground, view);
+  return disc_of(ground.point, ground.normal, view, 3.2F * view.extent, {0.965F, 0.965F, 0.96F, opacity});
 }
 
 Disc plane_disc(const PlaneObstacle& plane, const View& view) {
@@ -173,7 +187,7 @@ void Backdrop::draw(const Frame& frame, const View& view, const GlObject& visibi
                     const Canvas& canvas) {
   canvas.draw_into_picture();
   gl_.BindVertexArray(empty_.name());
-  const bool on_ground = frame.ground && faces_eye(frame.ground->point, frame.ground->normal, view);
+  const bool on_ground = shows_ground(frame, view);
   const Disc ground = on_ground ? ground_disc(*frame.ground, view) : Disc{};
   draw_background(frame, view, on_ground ? &ground : nullptr, canvas);
   if (on_ground) draw_shade(ground, visibility, shades.ground);
@@ -216,7 +230,7 @@ void Backdrop::draw_depth(const Frame& frame, const View& view) const {
   gl_.BindVertexArray(empty_.name());
   gl_.UseProgram(depth_.name());
   gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  if (frame.ground && faces_eye(frame.ground->point, frame.ground->normal, view)) {
+  if (shows_ground(frame, view)) {
     draw_disc(gl_, depth_, ground_disc(*frame.ground, view));
   }
   for (const PlaneObstacle& plane : frame.planes) {

@@ -256,10 +256,4 @@ void Bodies::draw_edges(const SurfaceBuffer& buffer, const Eigen::Vector4f& colo
   gl_.Disable(GL_BLEND);
 }
 
-void Bodies::draw_outline(const SurfaceBuffer& buffer, const Eigen::Vector4f& colour, float width) const {
-  use_lines(colour, width);
-  buffer.draw_outline();
-  gl_.Disable(GL_BLEND);
-}
-
 }  // namespace render

@@ -23,7 +23,6 @@ class Bodies {
   void draw_ghost(const Surface& surface, const SurfaceBuffer& buffer) const;
   // Lines of a width in pixels, as far as the context can, just in front of the surface they lie on.
   void draw_edges(const SurfaceBuffer& buffer, const Eigen::Vector4f& colour, float width) const;
-  void draw_outline(const SurfaceBuffer& buffer, const Eigen::Vector4f& colour, float width) const;
 
  private:
   struct Programs {

@@ -6,6 +6,7 @@
 
 #include "render/imgui_setup.h"
 #include "render/legend.h"
+#include "render/outline.h"
 #include "render/ruler.h"
 #include "render/strip.h"
 
@@ -45,6 +46,7 @@ void Overlay::draw(const Frame& frame, const View& view) {
   page_.list = ImGui::GetBackgroundDrawList();
   const bool coloured = std::any_of(frame.surfaces.begin(), frame.surfaces.end(),
                                     [](const Surface& surface) { return !surface.values.empty(); });
+  draw_outlines(page_, frame, view);
   if (view.orthographic && frame.look.axes) draw_axes(page_, view, frame.look.length);
   if (view.orthographic && frame.look.scale_bar) draw_scale_bar(page_, view, frame.look.length);
   draw_labels(frame.labels, view);

@@ -180,13 +180,10 @@ void Renderer::Parts::draw_bodies(const Frame& frame, const View& view) {
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (frame.look.wireframe) bodies.draw_edges(buffers[i], {0.07F, 0.08F, 0.11F, 0.55F}, pixel);
-    if (solids[i]->flat) bodies.draw_outline(buffers[i], {0.10F, 0.12F, 0.15F, 1}, 1.6F * pixel);
   }
   markers.draw(frame.markers, marker_size);
   for (std::size_t i = 0; i < frame.ghosts.size(); ++i) {
-    const SurfaceBuffer& buffer = buffers[solids.size() + i];
-    bodies.draw_ghost(frame.ghosts[i], buffer);
-    bodies.draw_outline(buffer, {0.45F, 0.48F, 0.52F, 0.8F}, pixel);
+    bodies.draw_ghost(frame.ghosts[i], buffers[solids.size() + i]);
   }
 }
 

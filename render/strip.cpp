@@ -116,7 +116,7 @@ void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high) {
 ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips) {
   if (strips.empty()) return {page.width, page.height};
   float right = page.width - page.margin;
-  const float width = std::min(24 * page.size, 0.5F * page.width);
+  const float width = std::min(20 * page.size, 0.5F * page.width);
   const float bottom = page.height - page.margin, top = bottom - std::max(0.22F * page.height, 6 * page.size);
   for (auto strip = strips.rbegin(); strip != strips.rend(); ++strip) {
     draw_strip(page, *strip, {right - width, top}, {right, bottom});

@@ -21,8 +21,7 @@ SurfaceBuffer::SurfaceBuffer(const GladGLContext& gl)
       vertex_array_(make_vertex_array(gl)),
       vertices_(make_buffer(gl)),
       triangles_(make_buffer(gl)),
-      edges_(make_buffer(gl)),
-      outline_(make_buffer(gl)) {
+      edges_(make_buffer(gl)) {
   gl.BindVertexArray(vertex_array_.name());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
   constexpr GLsizei stride = floats_per_vertex * sizeof(float);
@@ -40,15 +39,9 @@ void SurfaceBuffer::update_topology(const Surface& surface) {
   // Without computed normals the shape does not matter, only the number of vertices.
   const bool same_shape = given ? smoothing_.source.size() == rest.size() / 3 && made_crease_ < 0
                                 : made_crease_ == surface.crease && made_rest_ == rest;
-  const bool same_outline = made_outline_ == surface.outline;
   const bool same = same_shape && made_triangles_ == surface.triangles && made_edges_ == surface.edges &&
                     made_round_ == surface.round;
   if (!same) make_topology(surface);
-  if (same && same_outline) return;
-  made_outline_ = surface.outline;
-  outline_indices_ = made_outline_.size();
-  gl_.BindVertexArray(0);  // so that no array remembers this binding
-  fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, outline_, made_outline_.data(), outline_indices_ * sizeof(std::uint32_t));
 }
 
 void SurfaceBuffer::make_topology(const Surface& surface) {
@@ -71,7 +64,7 @@ void SurfaceBuffer::make_topology(const Surface& surface) {
   std::vector<std::uint32_t> edges = surface.edges;
   rounding_ = surface.round && !given ? rounding_of(smoothing_, edges) : std::vector<Rounding>{};
   const std::vector<std::uint32_t>& triangles = rounding_.empty() ? smoothing_.triangles : rounding_.back().triangles;
-  gl_.BindVertexArray(0);
+  gl_.BindVertexArray(0);  // so that no array remembers these bindings
   const auto upload = [&](const GlObject& buffer, const std::vector<std::uint32_t>& indices) {
     fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, buffer, indices.data(), indices.size() * sizeof(std::uint32_t));
     return indices.size();
@@ -118,9 +111,6 @@ void SurfaceBuffer::draw_triangles() const {
 }
 void SurfaceBuffer::draw_edges() const {
   draw(GL_LINES, edges_, edge_indices_);
-}
-void SurfaceBuffer::draw_outline() const {
-  draw(GL_LINES, outline_, outline_indices_);
 }
 
 }  // namespace render

@@ -34,7 +34,6 @@ class SurfaceBuffer {
 
   void draw_triangles() const;
   void draw_edges() const;
-  void draw_outline() const;
 
  private:
   void update_topology(const Surface& surface);
@@ -42,14 +41,14 @@ class SurfaceBuffer {
   void draw(GLenum mode, const GlObject& indices, std::size_t count) const;
 
   const GladGLContext& gl_;
-  GlObject vertex_array_, vertices_, triangles_, edges_, outline_;
+  GlObject vertex_array_, vertices_, triangles_, edges_;
   // What the index lists were made from, to see when they must be made anew.
-  std::vector<std::uint32_t> made_triangles_, made_edges_, made_outline_;
+  std::vector<std::uint32_t> made_triangles_, made_edges_;
   std::vector<float> made_rest_;
   float made_crease_ = -1;
   bool made_round_ = false;
   bool closed_ = false;
-  std::size_t triangle_indices_ = 0, edge_indices_ = 0, outline_indices_ = 0;  // uploaded
+  std::size_t triangle_indices_ = 0, edge_indices_ = 0;  // uploaded
   Smoothing smoothing_;
   std::vector<Rounding> rounding_;                    // coarse to fine; empty: not made round
   std::vector<Eigen::Vector3f> positions_, normals_;  // scratch

@@ -26,7 +26,7 @@ struct Golden {
 const std::vector<Golden>& looks() {
   static const std::vector<Golden> all = {
       {"bear", "assets/scenes/bear.toml", "0.5", {}},
-      {"jelly", "assets/scenes/bear.toml", "0.5", {{"look.finish", "\"jelly\""}, {"camera.orbit", "60"}}},
+      {"rubber", "assets/scenes/bear.toml", "0.5", {{"look.finish", "\"rubber\""}, {"camera.orbit", "60"}}},
       {"flat-faces",
        "assets/scenes/bear.toml",
        "0.1",

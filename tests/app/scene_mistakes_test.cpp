@@ -16,8 +16,10 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {"[tiem]\nfps = 30\n", "scene.toml:1: unknown key 'tiem': did you mean 'time'?"},
       {"\nfps = 30\n", "scene.toml:2: unknown key 'fps': did you mean 'time.fps'?"},
       {"[look]\nqqqqqqqqq = 1\n",
-       "scene.toml:2: unknown key 'look.qqqqqqqqq': known here are colour, range, caption, wireframe, ground, "
-       "ground_height"},
+       "scene.toml:2: unknown key 'look.qqqqqqqqq': known here are colour, range, colour_map, finish, smooth, "
+       "background, shadows, ground, ground_height, obstacles, wireframe, ghost, pins, forces, force_scale, "
+       "velocities, "
+       "velocity_scale, caption, labels, energies, axes, scale_bar"},
       {body("material = { yuong = 1 }\n"), "scene.toml:3: unknown key 'body.0.material.yuong': did you mean 'young'?"},
       {"[time]\nfps = \n", "scene.toml:2: "},
       {"[time]\nfps = 1\nfps = 2\n", "scene.toml:3: "},
@@ -94,6 +96,14 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
        "scene.toml:5: camera.target = [1, 1, 1]: must differ from camera.eye"},
       {body("[camera]\neye = [0, 9, 0]\ntarget = [0, 0, 0]\n"), "camera.up: must not lie along the line"},
       {body("[look]\nrange = [2, 1]\n"), "scene.toml:4: look.range = [2, 1]: must be [low, high] with low < high"},
+      {body("[look]\ncaption = \"{t} s, {tme}\"\n"),
+       "scene.toml:4: look.caption = \"{t} s, {tme}\": {tme} is not known"},
+      {body("[look]\naxes = true\n"), "scene.toml:4: look.axes = true: is for 2D only"},
+      {body("[look]\ncolour_map = \"jet\"\n"), "must be one of \"viridis\""},
+      {body("[camera]\nfollow = \"cat\"\n"),
+       "scene.toml:4: camera.follow = \"cat\": there is no such body; there are: body0"},
+      {body("[camera]\nkeyframes = [[1, {}], [1, { turn = 3 }]]\n"),
+       "scene.toml:4: camera.keyframes.1.0 = 1: must be later than the pose before it"},
       {body("[camera]\nheight = 2\n"), "scene.toml:4: camera.height = 2: is for 2D only, and the scene is 3D"},
       {body("[world]\ngravity = [0, -1]\n"),
        "scene.toml:4: world.gravity = [0, -1]: must have 3 numbers: the scene is 3D"},
