@@ -54,8 +54,8 @@ std::string failure_text(const sim::System& system, const sim::StepReport& repor
 
 }  // namespace
 
-Workbench::Workbench(Options options)
-    : options_(std::move(options)), session_(std::make_unique<Session>(options_)), frames_(*session_->simulation()) {
+Workbench::Workbench(Options options, std::unique_ptr<Session> session)
+    : options_(std::move(options)), session_(std::move(session)), frames_(*session_->simulation()) {
   count_frame();
   if (options_.log.empty()) return;
   if (std::filesystem::exists(options_.log) && !options_.overwrite) {
@@ -124,15 +124,18 @@ void Workbench::act(Action action) {
   }
 }
 
-void Workbench::advance(double wall) {
-  if (!playing_) return;
+bool Workbench::advance(double wall) {
+  if (!playing_) return false;
   const double h = session_->simulation()->system->step_seconds();
   pace_.pass(wall, h);
   const Stopwatch watch;
+  bool stepped = false;
   while (playing_ && pace_.due(h) && watch.seconds() < kStepping) {
-    if (!step()) return;
+    stepped = true;
+    if (!step()) break;
     pace_.stepped(h);
   }
+  return stepped;
 }
 
 // False, and no longer playing, when the step cannot be taken.
@@ -162,6 +165,7 @@ void Workbench::count_frame() {
 
 void Workbench::apply(const Input& input) {
   const Event event{session_->steps(), input};
+  if (!std::holds_alternative<PullTo>(input)) pull_to_.reset();
   try {
     session_->apply(input);
   } catch (const std::runtime_error& refused) {

@@ -23,16 +23,16 @@ namespace app {
 
 class Workbench {
  public:
-  // Loads the scene and begins the log that the options name. Throws SceneError, WriteError.
-  explicit Workbench(Options options);
+  // A session of what the options name, and their log, which it begins. Throws WriteError.
+  Workbench(Options options, std::unique_ptr<Session> session);
 
   // Pixels at the left of a window of this size that the picture does not have.
   int panel_width(int width, int height) const { return panel_shown_ ? Panel::width(width, height) : 0; }
   // One thing that the user did, in a picture of this size. `over_widgets`: the mouse, or the typing, is the panel's.
   void handle(const render::WindowEvent& event, int width, int height, bool over_widgets);
   void act(Action action);
-  // Takes the steps that `wall` seconds are worth, while it plays.
-  void advance(double wall);
+  // Takes the steps that `wall` seconds are worth, while it plays. True when there was one.
+  bool advance(double wall);
   // What is to be seen in a picture of this size.
   const render::Frame& frame(int width, int height);
   // The widgets of a window of this size, in the frame of Dear ImGui that is under way; does what they ask for.
@@ -44,6 +44,7 @@ class Workbench {
   bool quits() const { return quits_; }
   const Session& session() const { return *session_; }
   const std::string& message() const { return message_; }
+  void say(std::string message) { message_ = std::move(message); }
   // Where the screenshot that was asked for is to go, once.
   std::optional<std::filesystem::path> take_screenshot();
 
