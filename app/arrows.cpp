@@ -16,7 +16,7 @@ namespace {
 constexpr render::Colour kApplied{0.08F, 0.32F, 0.66F};
 constexpr render::Colour kHeld{0.80F, 0.22F, 0.10F};
 constexpr render::Colour kVelocity{0.06F, 0.46F, 0.36F};
-constexpr double kPlaces = 9;  // along the longest side of the scene
+constexpr double kPlaces = 7;  // along the longest side of the scene
 constexpr double kGravity = 9.81;
 
 std::set<int> all_nodes(const sim::Mesh& mesh) {
@@ -43,7 +43,19 @@ std::vector<std::vector<int>> places_of(const sim::BodyRange& body, const std::s
   return places;
 }
 
-// All that presses or pulls, as far as a scene tells before a step is taken [N]: weights, tractions, springs.
+// The way that pins move the body, as a share of its size.
+double pinned_strain(const sim::Body& body, double size) {
+  double strain = 0;
+  for (const sim::Pin& pin : body.pins) {
+    for (const sim::Keyframe& pose : pin.motion) {
+      strain = std::max({strain, pose.translate.norm() / size, std::abs(pose.degrees) / 180});
+    }
+  }
+  return strain;
+}
+
+// All that presses or pulls, as far as a scene tells before a step is taken [N]: weights, tractions, springs, and what
+// the motion of pins may take, 3 % of E strain size^2.
 double total_force(const sim::System& system, const Document& document) {
   sim::State late = system.initial_state();
   late.v.setZero();
@@ -58,7 +70,15 @@ double total_force(const sim::System& system, const Document& document) {
   for (Eigen::Index i = 0; i + D <= applied.size(); i += D) total += applied.segment(i, D).norm();
   // The weight, by the momentum of a common velocity.
   for (Eigen::Index i = 0; i < late.v.size(); i += D) late.v[i] = 1;
-  return total + system.measure(late).p.norm() * scene.world.gravity.norm();
+  total += system.measure(late).p.norm() * scene.world.gravity.norm();
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const sim::BodyRange& range = system.bodies()[b];
+    const sim::MaterialSpec& material = scene.bodies[b].materials.front();
+    const double section =
+        scene.bodies[b].mesh.X.rows() == 3 ? range.size * range.size : range.size * scene.bodies[b].thickness;
+    total += 0.03 * material.young * pinned_strain(scene.bodies[b], range.size) * section;
+  }
+  return total;
 }
 
 }  // namespace

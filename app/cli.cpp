@@ -80,20 +80,25 @@ void add_output_options(CLI::App& command, Options& options) {
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }
 
-void add_size_option(CLI::App& command, Options& options, const char* what) {
+void add_size_options(CLI::App& command, Options& options, const char* what) {
   command
       .add_option_function<std::string>(
           "--size", [&options](const std::string& text) { read_size(options, text); }, what)
       ->type_name("WxH");
+  command.add_option("--samples", options.samples, "Samples per pixel: 1 is fast and jagged, 8 slow and smooth")
+      ->check(CLI::IsMember({1, 2, 4, 8}))
+      ->type_name("N")
+      ->capture_default_str();
 }
 
 void add_picture_options(CLI::App& command, Options& options) {
-  add_size_option(command, options, "Size of a frame in pixels [1280x720]");
+  add_size_options(command, options, "Size of a frame in pixels [1280x720]");
   CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
-  command.add_option("--video", options.video, "Pipe the frames to ffmpeg as well, as in out.mp4")->type_name("FILE");
+  command.add_option("--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif")
+      ->type_name("FILE");
   command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
   command.add_option("--replay", options.replay, "Draw a session that `ritz view --log` has written")
       ->type_name("FILE")
@@ -101,8 +106,26 @@ void add_picture_options(CLI::App& command, Options& options) {
       ->excludes("--resume", "--still", "--vtu");
 }
 
+void add_expect_options(CLI::App& command, Options& options) {
+  CLI::Option* const expect = command.add_option(
+      "--expect", options.expect, "Compare with the frame_*.png of this folder; exit code 4 where one differs");
+  expect->type_name("DIR")->excludes(command.get_option("--resume"));
+  command
+      .add_option("--expect-difference", options.expect_difference,
+                  "Pixels are equal when no channel differs by more than this, of 255")
+      ->check(CLI::Range(0, 255))
+      ->needs(expect)
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--expect-share", options.expect_share, "Share of the pixels that may differ")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(expect)
+      ->type_name("SHARE")
+      ->capture_default_str();
+}
+
 void add_window_options(CLI::App& command, Options& options) {
-  add_size_option(command, options, "Size of the window in pixels [1280x720]");
+  add_size_options(command, options, "Size of the window in pixels [1280x720]");
   command.add_option("--log", options.log, "Write every input with its step, for ritz record --replay")
       ->type_name("FILE");
   command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
@@ -120,7 +143,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   app.require_subcommand(1);
   app.footer(
       "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
-      "3 numerical failure, 130 interrupted.");
+      "3 numerical failure, 4 frames differ from --expect, 130 interrupted.");
 
   CLI::App& record = *app.add_subcommand("record", "Step and draw: DIR/frames/frame_00000.png ..., and the numbers");
   CLI::App& run = *app.add_subcommand("run", "Step only: the numbers, no picture");
@@ -129,6 +152,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   for (CLI::App* const command : {&record, &run, &view, &explain}) add_scene_options(*command, options);
   for (CLI::App* const command : {&record, &run}) add_output_options(*command, options);
   add_picture_options(record, options);
+  add_expect_options(record, options);
   add_window_options(view, options);
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");

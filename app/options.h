@@ -33,6 +33,10 @@ struct Options {
   int width = 1280, height = 720;   // of a frame, pixels
   int every = 1;                    // draw frames 0, n, 2n, ...
   bool still = false;               // draw the last frame only
+  int samples = 4;                  // per pixel: 1, 2, 4 or 8
+  std::filesystem::path expect;     // folder of stored frames to compare with; empty: none
+  int expect_difference = 8;        // of a channel, 0 to 255: up to it pixels count as equal
+  double expect_share = 0.001;      // of the pixels that may differ by more
   std::filesystem::path video;      // frames are piped to ffmpeg; empty: no video
   std::filesystem::path replay;     // record: the session to draw again; empty: none
   bool panel = false;               // record: the panel is drawn into the frames

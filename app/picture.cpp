@@ -27,6 +27,7 @@ render::Surface still_surface(const sim::BodyRange& body, const Surface& surface
   still.edges = surface.edges();
   still.outline = surface.outline();
   still.rest = surface.points(body.mesh->X);
+  still.crease = 60;  // of coarse meshes as well: what is meant as an edge is sharper
   still.flat = body.mesh->dimension() == 2;
   still.colour = kBodyColours[number % kBodyColours.size()];
   return still;
@@ -44,7 +45,6 @@ render::Look look_of(const Look& look, bool plane) {
   render::Look shown;
   const bool paper = look.background ? *look.background == "paper" : plane;
   shown.background = paper ? render::Background::paper : render::Background::studio;
-  shown.finish = look.finish == "jelly" ? render::Finish::jelly : render::Finish::rubber;
   shown.wireframe = look.wireframe;
   shown.shadow = shown.occlusion = look.shadows;
   shown.axes = look.axes;
@@ -57,13 +57,14 @@ render::Look look_of(const Look& look, bool plane) {
 Picture::Picture(const sim::System& system, const Document& document, double aspect)
     : system_(system), document_(document), shot_(system, document, aspect), arrows_(system, document) {
   const Look& look = document.look;
+  const bool plane = system.dimension() == 2;
   for (const sim::BodyRange& body : system.bodies()) {
     surfaces_.emplace_back(*body.mesh);
     still_.surfaces.push_back(still_surface(body, surfaces_.back(), still_.surfaces.size()));
-    still_.surfaces.back().round = look.smooth && surfaces_.back().is_linear();
+    still_.surfaces.back().round = look.smooth && !plane && surfaces_.back().is_linear();
+    if (look.finish == "jelly") still_.surfaces.back().finish = render::Finish::jelly;
     if (look.ghost) still_.ghosts.push_back(ghost_of(still_.surfaces.back()));
   }
-  const bool plane = system.dimension() == 2;
   if (!plane) {
     still_.ground = ground_of(look, document.camera.up, rest_box(system.bodies()), document.scene.obstacles);
   }
@@ -122,9 +123,12 @@ void Picture::add_pins(const sim::State& state, render::Frame& frame) const {
   }
 }
 
-// Above the highest point, in the middle of the body.
+// Above the point that is highest on the screen, in the middle of the body.
 void Picture::add_labels(render::Frame& frame) const {
-  const Eigen::Vector3f up = document_.camera.up.cast<float>();
+  const auto vector = [](const render::Point& p) { return Eigen::Vector3f(p[0], p[1], p[2]); };
+  const Eigen::Vector3f ahead = (vector(frame.camera.target) - vector(frame.camera.eye)).normalized();
+  const Eigen::Vector3f world_up = vector(frame.camera.up);
+  const Eigen::Vector3f up = (world_up - world_up.dot(ahead) * ahead).normalized();
   for (const render::Surface& surface : frame.surfaces) {
     const Eigen::Map<const Eigen::Matrix3Xf> points(surface.positions.data(), 3,
                                                     static_cast<Eigen::Index>(surface.positions.size() / 3));

@@ -1,5 +1,3 @@
-#include <iostream>
-
 #include "app/commands.h"
 #include "app/recorder.h"
 #include "app/run_loop.h"
@@ -15,11 +13,7 @@ int record(const Options& options) {
   const Start start = make_start(*simulation, folder, !options.resume.empty());
   Recorder recorder(simulation, folder, options);
   const Outcome outcome = run_loop(*simulation, options, folder, start, recorder);
-  if (!options.quiet) {
-    const std::filesystem::path place = options.video.empty() ? folder.frames() : options.video;
-    std::cerr << recorder.frames_drawn() << " frames in " << place.string() << '\n';
-  }
-  return conclude(*simulation, options, folder, outcome);
+  return judged(conclude(*simulation, options, folder, outcome), recorder, folder, options);
 }
 
 }  // namespace app

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "app/easel.h"
+#include "app/expectation.h"
 #include "app/frame_sink.h"
 #include "app/options.h"
-#include "app/panel/panel.h"
-#include "app/picture.h"
 #include "app/pipeline.h"
 #include "app/run_folder.h"
 #include "app/simulation.h"
@@ -30,22 +30,17 @@ class Recorder : public FrameSink {
   // From the next frame on: the scene as it has become, with values that wait for a restart.
   void show(std::shared_ptr<const Simulation> simulation, std::vector<Override> waiting);
   int frames_drawn() const { return frames_drawn_; }
+  // How the frames compare with those of --expect; none without it. To be asked after finish().
+  const std::optional<Expectation>& expectation() const { return expectation_; }
 
  private:
-  // What is seen; shared, because the drawing thread may be some frames behind.
-  struct Sight {
-    std::shared_ptr<const Simulation> simulation;
-    Picture picture;
-    std::vector<Override> waiting;
-  };
   struct Job {
     Moment moment;
     bool draw = true;
     std::string checkpoint;
-    std::shared_ptr<const Sight> sight;
+    std::shared_ptr<const Sight> sight;  // shared: the drawing thread may be some frames behind
     std::vector<Sample> samples;
   };
-  struct Easel;
   struct Drawn {
     std::int64_t frame = 0;
     std::optional<render::Image> image;
@@ -60,16 +55,20 @@ class Recorder : public FrameSink {
   void write(const Drawn& drawn);
 
   const RunFolder& folder_;
-  int width_, height_, every_;
+  FrameSize size_;
+  int every_;
   std::int64_t last_frame_;
   bool still_;
-  int panel_width_;  // pixels; 0: no panel
   int frames_drawn_ = 0;
   double waiting_ = 0;
   Monitor monitor_;  // frame by frame, for the panel's plots
+  std::optional<Expectation> expectation_;
   std::unique_ptr<Video> video_;
   std::shared_ptr<const Sight> sight_;
   Stages stages_;  // last: its threads use all of the above
 };
+
+// Says what was drawn, and how it compares with --expect; the exit code, which was `code` so far.
+int judged(int code, const Recorder& recorder, const RunFolder& folder, const Options& options);
 
 }  // namespace app

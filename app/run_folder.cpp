@@ -55,10 +55,10 @@ std::string RunFolder::numbered(const std::string& start, std::int64_t number, c
 
 std::vector<fs::path> RunFolder::files_of_a_run() const {
   std::vector<fs::path> found;
-  for (const fs::path& file : {run_json(), scene(), session(), probes(), steps(), state(), pvd()}) {
+  for (const fs::path& file : {run_json(), scene(), session(), probes(), steps(), state(), pvd(), expect_table()}) {
     if (fs::exists(file)) found.push_back(file);
   }
-  for (const fs::path& folder : {frames(), vtu_folder()}) {
+  for (const fs::path& folder : {frames(), vtu_folder(), differences()}) {
     if (!fs::is_directory(folder)) continue;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       if (is_numbered(entry.path().filename().string())) found.push_back(entry.path());

@@ -32,9 +32,13 @@ class RunFolder {
   std::filesystem::path state() const { return folder_ / "state.bin"; }
   std::filesystem::path frames() const { return folder_ / "frames"; }
   std::filesystem::path vtu_folder() const { return folder_ / "vtu"; }
+  std::filesystem::path differences() const { return folder_ / "differences"; }
+  std::filesystem::path difference(std::int64_t number) const { return differences() / frame_name(number); }
+  std::filesystem::path expect_table() const { return folder_ / "expect.csv"; }
   std::filesystem::path pvd() const { return folder_ / "run.pvd"; }
-  std::filesystem::path frame(std::int64_t number) const { return frames() / numbered("frame_", number, ".png"); }
+  std::filesystem::path frame(std::int64_t number) const { return frames() / frame_name(number); }
   std::filesystem::path vtu(std::int64_t number) const { return vtu_folder() / vtu_name(number); }
+  static std::string frame_name(std::int64_t number) { return numbered("frame_", number, ".png"); }
   static std::string vtu_name(std::int64_t number) { return numbered("frame_", number, ".vtu"); }
 
   // Makes this folder, or frames/ or vtu/ in it, where it is not there. Throws WriteError.

@@ -54,6 +54,7 @@ void put_options(Json& json, const Options& options) {
   json.close_array();
   json.member("threads", options.threads).member("seed", options.seed);
   json.member("width", options.width).member("height", options.height);
+  json.member("samples", options.samples).member("expect", options.expect.string());
   json.member("every", options.every).member("still", options.still);
   json.member("video", options.video.string()).member("vtu", options.vtu);
   json.member("panel", options.panel).member("replay", options.replay.string());

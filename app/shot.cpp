@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr double kSwing = 1.15;  // how far a body may leave the first box, as a share of it, before the camera moves
+constexpr double kSwing = 1.1;  // how far a body may leave the first box, as a share of it, before the camera moves
 
 Vec3 to_vector(const render::Point& p) {
   return {p[0], p[1], p[2]};

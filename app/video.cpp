@@ -23,9 +23,23 @@ std::string rate(int fps, int every) {
 }
 
 // H.264 in a form that every player shows: 4:2:0 wants even sizes, so one row or column is repeated where needed.
-const std::vector<std::string> kEncoding = {
+const std::vector<std::string> kMp4 = {
     "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-movflags",
     "+faststart"};
+
+// Each picture has 256 colours of its own: a palette for all of them would need all of them in memory. Players show at
+// most 50 a second.
+const std::vector<std::string> kGif = {"-filter_complex",
+                                       "fps='min(50,source_fps)',split[a][b];[a]palettegen=stats_mode=single[p];[b][p]"
+                                       "paletteuse=new=1:dither=bayer:bayer_scale=4"};
+
+bool is_gif(const std::filesystem::path& file) {
+  return file.extension() == ".gif";
+}
+
+const std::vector<std::string>& encoding(const std::filesystem::path& file) {
+  return is_gif(file) ? kGif : kMp4;
+}
 
 std::vector<std::string> arguments(const std::string& file, const VideoFormat& format) {
   std::vector<std::string> list = {"ffmpeg",
@@ -42,7 +56,7 @@ std::vector<std::string> arguments(const std::string& file, const VideoFormat& f
                                    rate(format.fps, format.every),
                                    "-i",
                                    "pipe:0"};
-  list.insert(list.end(), kEncoding.begin(), kEncoding.end());
+  list.insert(list.end(), encoding(file).begin(), encoding(file).end());
   list.push_back("file:" + file);
   return list;
 }
@@ -70,13 +84,15 @@ int spawn(std::vector<std::string> words, int input, pid_t& process) {
 }  // namespace
 
 std::string video_command(const std::filesystem::path& frames, const std::filesystem::path& file, int fps, int every) {
-  return "ffmpeg -framerate " + rate(fps, every) + " -pattern_type glob -i '" + (frames / "frame_*.png").string() +
-         "' -c:v libx264 -pix_fmt yuv420p -crf 18 '" + file.string() + "'";
+  std::string command =
+      "ffmpeg -framerate " + rate(fps, every) + " -pattern_type glob -i '" + (frames / "frame_*.png").string() + "'";
+  for (const std::string& word : encoding(file)) command += word.starts_with('-') ? " " + word : " \"" + word + "\"";
+  return command + " '" + file.string() + "'";
 }
 
 Video::Video(std::filesystem::path file, const VideoFormat& format, bool overwrite) : file_(std::move(file)) {
-  if (file_.extension() != ".mp4") {
-    throw std::runtime_error("--video " + file_.string() + ": the name of the video must end in .mp4");
+  if (file_.extension() != ".mp4" && !is_gif(file_)) {
+    throw std::runtime_error("--video " + file_.string() + ": the name of the video must end in .mp4 or .gif");
   }
   if (!overwrite && std::filesystem::exists(file_)) {
     throw std::runtime_error("--video " + file_.string() + ": exists already; choose another name or add --overwrite");

@@ -74,7 +74,7 @@ constexpr std::string_view plane_fragment = "void main() { colour = vec4(tint.rg
 // Multiplies what is there by the square root of the light that is left, near to what linear light gives.
 constexpr std::string_view shade_fragment = R"(
 void main() {
-  vec2 lit = visible(ivec2(0));
+  vec2 lit = visible(gl_FragCoord.xy, gl_FragCoord.z, vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
   float light = 0.58 * lit.x * (0.75 + 0.25 * lit.y) + 0.42 * lit.y;
   colour = vec4(vec3(mix(1.0, sqrt(light), tint.a * fade(length(disc)))), 1.0);
 }
@@ -100,7 +100,7 @@ Disc ground_disc(const Ground& ground, const View& view) {
 }
 
 Disc plane_disc(const PlaneObstacle& plane, const View& view) {
-  return disc_of(plane.point, plane.normal, view, 1.1F * view.extent, {0.72F, 0.78F, 0.84F, 0.9F});
+  return disc_of(plane.point, plane.normal, view, 1.1F * view.extent, {0.86F, 0.885F, 0.91F, 0.95F});
 }
 
 void draw_disc(const GladGLContext& gl, const GlObject& program, const Disc& disc) {
@@ -131,34 +131,51 @@ Eigen::Matrix3f screen_to_disc(const Disc& disc, const View& view) {
 
 }  // namespace
 
-Backdrop::Backdrop(const GladGLContext& gl)
+Backdrop::Backdrop(const GladGLContext& gl, int width, int height)
     : gl_(gl),
       background_(make_program(gl, {background_vertex}, {opacity_function, background_fragment})),
       plane_(make_program(gl, {frame_block, plane_vertex}, {disc_inputs, opacity_function, plane_fragment})),
       shade_(make_program(gl, {frame_block, plane_vertex},
                           {frame_block, visibility_lookup, disc_inputs, opacity_function, shade_fragment})),
       depth_(make_program(gl, {frame_block, plane_vertex}, {depth_fragment})),
-      empty_(make_vertex_array(gl)) {}
-
-void Backdrop::draw_background(const Frame& frame, const View& view, const Disc* ground) const {
-  gl_.UseProgram(background_.name());
-  const auto place = [&](const char* name) { return gl_.GetUniformLocation(background_.name(), name); };
-  const bool paper = frame.look.background == Background::paper;
-  const Eigen::Vector3f white = Eigen::Vector3f::Ones();
-  gl_.Uniform3fv(place("above"), 1, (paper ? white : Eigen::Vector3f(0.80F, 0.835F, 0.87F)).data());
-  gl_.Uniform3fv(place("below"), 1, (paper ? white : Eigen::Vector3f(0.945F, 0.95F, 0.955F)).data());
-  const Eigen::Matrix3f to_disc = ground != nullptr ? screen_to_disc(*ground, view) : Eigen::Matrix3f::Zero();
-  const Eigen::Vector4f tint = ground != nullptr ? ground->tint : Eigen::Vector4f::Zero();
-  gl_.UniformMatrix3fv(place("to_disc"), 1, GL_FALSE, to_disc.data());
-  gl_.Uniform4fv(place("tint"), 1, tint.data());
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+      made_texture_(make_texture(gl, {GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST})),
+      made_target_(make_framebuffer(gl)),
+      empty_(make_vertex_array(gl)) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, made_target_.name());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made_texture_.name(), 0);
+  check_framebuffer(gl, "background");
 }
 
-void Backdrop::draw(const Frame& frame, const View& view, const GlObject& visibility, const Shades& shades) const {
+void Backdrop::draw_background(const Frame& frame, const View& view, const Disc* ground, const Canvas& canvas) {
+  const bool paper = frame.look.background == Background::paper;
+  const Eigen::Vector3f white = Eigen::Vector3f::Ones();
+  Sky sky;
+  sky.above = paper ? white : Eigen::Vector3f(0.80F, 0.835F, 0.87F);
+  sky.below = paper ? white : Eigen::Vector3f(0.945F, 0.95F, 0.955F);
+  sky.to_disc = ground != nullptr ? screen_to_disc(*ground, view) : Eigen::Matrix3f::Zero();
+  sky.tint = ground != nullptr ? ground->tint : Eigen::Vector4f::Zero();
+  if (!made_ || !(*made_ == sky)) {
+    made_ = sky;
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, made_target_.name());
+    gl_.UseProgram(background_.name());
+    const auto place = [&](const char* name) { return gl_.GetUniformLocation(background_.name(), name); };
+    gl_.Uniform3fv(place("above"), 1, sky.above.data());
+    gl_.Uniform3fv(place("below"), 1, sky.below.data());
+    gl_.UniformMatrix3fv(place("to_disc"), 1, GL_FALSE, sky.to_disc.data());
+    gl_.Uniform4fv(place("tint"), 1, sky.tint.data());
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  canvas.copy_into_picture(made_target_);
+  canvas.draw_into_picture();
+}
+
+void Backdrop::draw(const Frame& frame, const View& view, const GlObject& visibility, const Shades& shades,
+                    const Canvas& canvas) {
+  canvas.draw_into_picture();
   gl_.BindVertexArray(empty_.name());
   const bool on_ground = frame.ground && faces_eye(frame.ground->point, frame.ground->normal, view);
   const Disc ground = on_ground ? ground_disc(*frame.ground, view) : Disc{};
-  draw_background(frame, view, on_ground ? &ground : nullptr);
+  draw_background(frame, view, on_ground ? &ground : nullptr, canvas);
   if (on_ground) draw_shade(ground, visibility, shades.ground);
   if (frame.planes.empty()) return;
   // Planes hide each other and the ground, and are hidden by it.

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "render/canvas.h"
 #include "render/gl.h"
 #include "render/surface_buffer.h"
 
@@ -17,10 +16,9 @@ class Bodies {
   // The colours that values take; may be null when no surface has values.
   void use_scale(const ColourScale* scale);
 
-  // All draw into the canvas's region, whose corner in the picture is given.
+  // All draw into the canvas's region.
   // inside_shows: draw the inside of closed surfaces too (it is seen where a body is inverted).
-  void draw_solid(const Surface& surface, const SurfaceBuffer& buffer, const GlObject& visibility, const Rect& region,
-                  bool inside_shows) const;
+  void draw_solid(const Surface& surface, const SurfaceBuffer& buffer, bool inside_shows) const;
   void draw_flat(const Surface& surface, const SurfaceBuffer& buffer) const;
   void draw_ghost(const Surface& surface, const SurfaceBuffer& buffer) const;
   // Lines of a width in pixels, as far as the context can, just in front of the surface they lie on.
@@ -29,9 +27,10 @@ class Bodies {
 
  private:
   struct Programs {
-    GlObject solid, inside, flat, ghost;
+    GlObject solid, fine, inside, flat, ghost;
   };
   const Programs& programs_for(const Surface& surface) const;
+  void use_finish(const GlObject& program, const Surface& surface) const;
   void use_surface(const GlObject& program, const Surface& surface, float opacity) const;
   void use_lines(const Eigen::Vector4f& colour, float width) const;
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "render/light.h"
+#include "render/visibility.h"
+
 namespace render {
 namespace {
 
@@ -13,17 +16,28 @@ out vec4 colour;
 void main() { colour = texelFetch(picture, ivec2(gl_FragCoord.xy) + origin, 0); }
 )";
 
-// Samples are sRGB; their squares are close to linear light, and equal samples keep their value exactly.
+// Samples are sRGB; their squares are close to linear light, and equal samples keep their value exactly. The share of
+// the light that is seen is raised to 1/1.1, because sRGB is nearer to a power of 2.2.
 constexpr std::string_view resolve_fragment = R"(
-uniform sampler2DMS region;
+uniform SURFACE region;
+uniform SURFACE depth_map;
 uniform ivec2 origin;
 out vec4 colour;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
+#ifdef SHADED
+  float depth = texelFetch(depth_map, pixel, 0).r;
+  vec2 lit = visible(gl_FragCoord.xy, depth, vec2(dFdx(depth), dFdy(depth)));
+#endif
   vec3 sum = vec3(0.0);
   for (int i = 0; i < SAMPLES; ++i) {
-    vec3 s = texelFetch(region, pixel, i).rgb;
-    sum += s * s;
+    vec4 s = texelFetch(region, pixel, i);
+    vec3 light = s.rgb * s.rgb;
+#ifdef SHADED
+    float seen = mix(lit.x, lit.y, min(s.a / most_rest, 1.0));
+    light *= s.a > 0.5 + 0.5 * most_rest ? 1.0 : seen * (1.1 - 0.1 * seen);
+#endif
+    sum += light;
   }
   colour = vec4(sqrt(sum / float(SAMPLES)), 1.0);
 }
@@ -37,7 +51,9 @@ int possible_samples(const GladGLContext& gl, int wanted) {
   return std::max(1, std::min({wanted, static_cast<int>(colour), static_cast<int>(depth)}));
 }
 
-GlObject make_multisample_texture(const GladGLContext& gl, GLenum format, int width, int height, int samples) {
+// A texture to draw into, multisampled when samples > 1.
+GlObject make_surface(const GladGLContext& gl, GLenum format, GLenum pixels, int width, int height, int samples) {
+  if (samples == 1) return make_texture(gl, {format, width, height, pixels, GL_UNSIGNED_BYTE, GL_NEAREST});
   GLuint name = 0;
   gl.GenTextures(1, &name);
   GlObject texture(gl, name, [](const GladGLContext& g, GLuint n) { g.DeleteTextures(1, &n); });
@@ -62,28 +78,40 @@ Canvas::Canvas(const GladGLContext& gl, int width, int height, int samples)
   picture_depth_ = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, picture_depth_.name());
   check_framebuffer(gl, "picture");
-  if (samples_ == 1) return;
   // The region's first allocation tells how many samples a pixel really has.
   make_region(64, 64);
-  gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, region_colour_.name());
-  GLint given = 1;
-  gl.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &given);
-  samples_ = static_cast<int>(given);
+  if (samples_ > 1) {
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, region_colour_.name());
+    GLint given = 1;
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &given);
+    samples_ = static_cast<int>(given);
+  }
+  const std::string switches = "#define SAMPLES " + std::to_string(samples_) + "\n#define SURFACE " +
+                               (samples_ > 1 ? "sampler2DMS" : "sampler2D") + "\n";
   copy_ = make_program(gl, {cover_vertex}, {copy_fragment});
-  resolve_ = make_program(gl, {cover_vertex}, {"#define SAMPLES " + std::to_string(samples_) + "\n", resolve_fragment});
+  resolve_ = make_program(gl, {cover_vertex}, {switches, resolve_fragment});
+  resolve_shaded_ =
+      make_program(gl, {cover_vertex},
+                   {switches, "#define SHADED\n", opacity_code, frame_block, visibility_lookup, resolve_fragment});
   empty_ = make_vertex_array(gl);
 }
 
 void Canvas::make_region(int width, int height) {
   region_width_ = width;
   region_height_ = height;
-  region_colour_ = make_multisample_texture(gl_, GL_RGBA8, width, height, samples_);
-  region_depth_ = make_multisample_texture(gl_, GL_DEPTH_COMPONENT24, width, height, samples_);
+  region_colour_ = make_surface(gl_, GL_RGBA8, GL_RGBA, width, height, samples_);
+  region_depth_ = make_surface(gl_, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, width, height, samples_);
   region_target_ = make_framebuffer(gl_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, region_target_.name());
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, region_colour_.name(), 0);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, region_depth_.name(), 0);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, surface_kind(), region_colour_.name(), 0);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, surface_kind(), region_depth_.name(), 0);
   check_framebuffer(gl_, "multisampled region");
+}
+
+void Canvas::copy_into_picture(const GlObject& framebuffer) const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.name());
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Canvas::draw_into_picture() const {
@@ -92,15 +120,7 @@ void Canvas::draw_into_picture() const {
   gl_.Disable(GL_DEPTH_TEST);
 }
 
-Rect Canvas::draw_into_region(const Rect& region) {
-  if (samples_ == 1) {
-    draw_into_picture();
-    gl_.Enable(GL_DEPTH_TEST);
-    gl_.DepthFunc(GL_LESS);
-    gl_.DepthMask(GL_TRUE);
-    gl_.Clear(GL_DEPTH_BUFFER_BIT);
-    return {0, 0, width_, height_};
-  }
+void Canvas::draw_into_region(const Rect& region) {
   region_ = region;
   if (region.width > region_width_ || region.height > region_height_) {
     // Grown in steps, so that a body that moves does not mean a new buffer every frame.
@@ -124,16 +144,21 @@ Rect Canvas::draw_into_region(const Rect& region) {
   gl_.DepthFunc(GL_LESS);
   // From here on the viewport is the whole picture's, shifted: the region shows its part.
   gl_.Viewport(-region.x, -region.y, width_, height_);
-  return region;
 }
 
-void Canvas::resolve() {
+void Canvas::resolve(const GlObject* visibility) {
+  const GlObject& program = visibility != nullptr ? resolve_shaded_ : resolve_;
   draw_into_picture();
-  if (samples_ == 1) return;
   gl_.Viewport(region_.x, region_.y, region_.width, region_.height);
-  set_origin(gl_, resolve_, region_);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, region_colour_.name());
+  set_origin(gl_, program, region_);
+  if (visibility != nullptr) use_texture(gl_, program, "visibility", 2, *visibility);
+  const auto use_surface = [&](const char* sampler, int unit, const GlObject& surface) {
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl_.BindTexture(surface_kind(), surface.name());
+    gl_.Uniform1i(gl_.GetUniformLocation(program.name(), sampler), unit);
+  };
+  use_surface("region", 0, region_colour_);
+  use_surface("depth_map", 1, region_depth_);
   gl_.BindVertexArray(empty_.name());
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
   gl_.Viewport(0, 0, width_, height_);

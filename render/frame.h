@@ -31,6 +31,12 @@ struct ColourScale {
   std::string unit;   // "kPa"; may be empty
 };
 
+// How bodies take the light.
+enum class Finish {
+  rubber,  // dense, with a dim broad gloss
+  jelly,   // glossy, light shines through
+};
+
 // A triangulated body, or what is visible of it. n vertices, m triangles.
 struct Surface {
   std::string name;                      // for messages
@@ -43,6 +49,8 @@ struct Surface {
   std::vector<float> values;             // n, coloured by Frame::scale; empty: base colour
   std::vector<std::uint32_t> edges;      // pairs of vertices: element edges, drawn when Look::wireframe is set
   std::vector<std::uint32_t> outline;    // pairs of vertices: the boundary of a flat body
+  Finish finish = Finish::rubber;
+  bool shadow = true;                    // casts shadows, and lies in those of others
   bool round = false;                    // drawn curved between smooth neighbours, where triangles are few
   bool flat = false;                     // a 2D body: drawn in its plain colour with its outline, without light
 };
@@ -99,16 +107,9 @@ enum class Background {
   paper,   // white: figures, 2D scenes
 };
 
-// How bodies take the light.
-enum class Finish {
-  rubber,  // dense, with a dim broad gloss
-  jelly,   // glossy, light shines through
-};
-
 // What is shown, and how much it may cost.
 struct Look {
   Background background = Background::studio;
-  Finish finish = Finish::rubber;
   bool wireframe = false;    // element edges of the surfaces
   bool shadow = true;        // of bodies and obstacles, on the ground and on each other
   bool occlusion = true;     // darkening in creases and near contacts

@@ -110,8 +110,9 @@ std::vector<Surface> arrow_surfaces(const std::vector<Arrow>& arrows, float exte
     if ((to - from).norm() <= 1e-6F * extent) continue;
     Surface& surface = by_colour[arrow.colour];
     surface.name = "arrows";
+    surface.shadow = false;
     surface.colour = arrow.colour;
-    add_arrow(surface, from, to, 0.0065F * extent);
+    add_arrow(surface, from, to, 0.0042F * extent);
   }
   std::vector<Surface> surfaces;
   for (auto& [colour, surface] : by_colour) surfaces.push_back(std::move(surface));

@@ -32,6 +32,7 @@ struct FrameBlock {
   Eigen::Vector4f up;           // xyz: unit
   Eigen::Vector4f depth_range;  // near, far
   Eigen::Vector4f size;         // picture width, height; width, height of the visibility buffer
+  Eigen::Vector4f texel;        // 1 over each of size
 };
 
 // The same in GLSL, with what every stage needs of it.
@@ -47,6 +48,7 @@ layout(std140) uniform Frame {
   vec4 up;
   vec4 depth_range;
   vec4 size;
+  vec4 texel;
 };
 
 // Distance along the view from the depth d of a pixel, 0 to 1, and how it grows with d.

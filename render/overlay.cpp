@@ -20,7 +20,7 @@ Overlay::Overlay(const GladGLContext& gl, int width, int height) : imgui_(nullpt
   page_.width = static_cast<float>(width);
   page_.height = static_cast<float>(height);
   // Legible on a small picture, in proportion on a large one.
-  page_.size = std::round(std::max(12.0F, 0.029F * std::min(page_.height, 0.75F * page_.width)));
+  page_.size = std::round(std::max(11.0F, 0.029F * std::min(page_.height, 0.75F * page_.width)));
   page_.margin = std::round(0.9F * page_.size);
   imgui_ = make_imgui();
   const InUse in_use(imgui_);
@@ -50,7 +50,7 @@ void Overlay::draw(const Frame& frame, const View& view) {
   draw_labels(frame.labels, view);
   const ImVec2 strips = draw_strips(page_, frame.strips);
   if (frame.scale && frame.look.legend && coloured) draw_legend(page_, *frame.scale, strips.y - 0.5F * page_.margin);
-  draw_words(frame, view, strips.x);
+  draw_words(frame, view, strips);
   ImGui::Render();
   painter_->draw(*ImGui::GetDrawData());
 }
@@ -68,7 +68,7 @@ void Overlay::draw_labels(const std::vector<Label>& labels, const View& view) co
   }
 }
 
-void Overlay::draw_words(const Frame& frame, const View& view, float caption_end) const {
+void Overlay::draw_words(const Frame& frame, const View& view, ImVec2 strips) const {
   const float pad = 0.4F * page_.size;
   Page heading = page_;
   heading.text = page_.bold;
@@ -79,10 +79,12 @@ void Overlay::draw_words(const Frame& frame, const View& view, float caption_end
                   page_.width - left - page_.margin);
   }
   if (frame.caption.empty()) return;
-  // Above the lower axis, if there is one.
-  const float wrap = std::max(caption_end - left - pad, 6 * page_.size);
+  // Above the lower axis, if there is one; beside the strips where it fits, else above them.
+  const bool beside = page_.measure(frame.caption).x <= strips.x - left - page_.margin;
+  const float wrap = beside ? 0 : page_.width - left - page_.margin;
   const ImVec2 size = page_.measure(frame.caption, 1, wrap);
-  const float bottom = page_.height - page_.margin - (axes ? 2 * page_.size : 0);
+  const bool lifted = !beside && !frame.strips.empty();
+  const float bottom = lifted ? strips.y - page_.margin : page_.height - page_.margin - (axes ? 2 * page_.size : 0);
   page_.lay_plate({left - pad, bottom - size.y - pad / 2}, {left + size.x + pad, bottom + pad / 2});
   page_.write(left, bottom - size.y, frame.caption, Align::left, Page::ink, 1, wrap);
 }

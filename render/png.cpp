@@ -31,8 +31,15 @@ unsigned char* deflate(unsigned char* data, int size, int* written, int /*qualit
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
 #define STBIW_ZLIB_COMPRESS deflate
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"  // stb brings writers of other formats along
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
@@ -78,6 +85,18 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
       std::free);
   if (!file) throw std::runtime_error("PNG: no memory to encode the image");
   return {file.get(), file.get() + size};
+}
+
+Image decode_png(std::string_view bytes) {
+  Image image;
+  int channels = 0;
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  const std::unique_ptr<unsigned char, decltype(&std::free)> pixels(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 4),
+      std::free);
+  if (!pixels) throw std::invalid_argument(std::string("is not a PNG picture (") + stbi_failure_reason() + ")");
+  image.rgba.assign(pixels.get(), pixels.get() + 4 * static_cast<std::size_t>(image.width) * image.height);
+  return image;
 }
 
 }  // namespace render

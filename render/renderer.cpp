@@ -49,7 +49,7 @@ struct Renderer::Parts {
       : context(context_),
         gl(load_gl(context_)),
         canvas(gl, width, height, samples),
-        backdrop(gl),
+        backdrop(gl, width, height),
         shadow(gl),
         visibility(gl, width, height),
         bodies(gl),
@@ -80,6 +80,7 @@ struct Renderer::Parts {
   Rect region;               // what solids, ghosts and markers cover
   Shades shades;             // where ground and planes can be darkened
   float marker_size = 1;     // pixels
+  bool shaded = false;       // whether the visibility buffer has been drawn
   bool inside_shows = true;  // of a closed surface
 };
 
@@ -97,7 +98,7 @@ void Renderer::Parts::update(const Frame& frame, const View& view) {
   lit.clear();
   for (std::size_t i = 0; i < solids.size(); ++i) {
     buffers[i].update(*solids[i], scale);
-    if (!solids[i]->flat) lit.push_back(&buffers[i]);
+    if (!solids[i]->flat && solids[i]->shadow) lit.push_back(&buffers[i]);
   }
   for (std::size_t i = 0; i < frame.ghosts.size(); ++i) buffers[solids.size() + i].update(frame.ghosts[i], scale);
 }
@@ -106,7 +107,11 @@ void Renderer::Parts::find_rects(const Frame& frame, const View& view, const Lig
   const int width = canvas.width(), height = canvas.height();
   marker_size = std::max(3.0F, 0.0125F * static_cast<float>(height));
   region = {};
-  for (const Surface* solid : solids) region = united(region, rect_of(vertices_of(*solid, 1), view, width, height, 4));
+  for (const Surface* solid : solids) {
+    // What is drawn round reaches a little beyond its vertices.
+    const float margin = solid->round ? 4 + 0.03F * static_cast<float>(height) : 4;
+    region = united(region, rect_of(vertices_of(*solid, 1), view, width, height, margin));
+  }
   for (const Surface& ghost : frame.ghosts) {
     region = united(region, rect_of(vertices_of(ghost, 1), view, width, height, 4));
   }
@@ -145,6 +150,7 @@ void Renderer::Parts::upload_block(const View& view, const Bounds& bounds, const
   data.up = four(light.up, 0);
   data.depth_range = {view.near_distance, view.far_distance, 0, 0};
   data.size = {real(canvas.width()), real(canvas.height()), real(visibility.width()), real(visibility.height())};
+  data.texel = data.size.cwiseInverse();
   fill_buffer(gl, GL_UNIFORM_BUFFER, block, &data, sizeof(data));
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, block.name());
 }
@@ -152,10 +158,8 @@ void Renderer::Parts::upload_block(const View& view, const Bounds& bounds, const
 // Shadows and darkened creases, where there is something that they fall on.
 void Renderer::Parts::draw_light(const Frame& frame, const View& view) {
   inside_shows = true;
-  if (lit.empty() || (!frame.look.shadow && !frame.look.occlusion)) {
-    visibility.clear();
-    return;
-  }
+  shaded = !lit.empty() && (frame.look.shadow || frame.look.occlusion);
+  if (!shaded) return;
   Rect rect = united(region, shades.ground);
   for (const Rect& shade : shades.planes) rect = united(rect, shade);
   if (frame.look.shadow) shadow.draw(lit);
@@ -171,7 +175,7 @@ void Renderer::Parts::draw_bodies(const Frame& frame, const View& view) {
       bodies.draw_flat(*solids[i], buffers[i]);
       gl.DepthFunc(GL_LESS);
     } else {
-      bodies.draw_solid(*solids[i], buffers[i], visibility.texture(), region, inside_shows);
+      bodies.draw_solid(*solids[i], buffers[i], inside_shows);
     }
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -225,12 +229,11 @@ void Renderer::paint(const Frame& frame) {
   p.find_rects(frame, view, light);
   p.upload_block(view, bounds, light);
   p.draw_light(frame, view);
-  p.canvas.draw_into_picture();
-  p.backdrop.draw(frame, view, p.visibility.texture(), p.shades);
+  p.backdrop.draw(frame, view, p.visibility.texture(), p.shades, p.canvas);
   if (!p.region.empty()) {
-    p.region = p.canvas.draw_into_region(p.region);
+    p.canvas.draw_into_region(p.region);
     p.draw_bodies(frame, view);
-    p.canvas.resolve();
+    p.canvas.resolve(p.shaded ? &p.visibility.texture() : nullptr);
   }
   p.overlay.draw(frame, view);
 }

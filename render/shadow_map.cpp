@@ -37,7 +37,13 @@ void ShadowMap::draw(const SurfaceList& casters) const {
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1.5F, 2);
   gl_.UseProgram(program_.name());
-  for (const SurfaceBuffer* caster : casters) caster->draw_triangles();
+  // What is nearest to the light on a closed surface faces it.
+  gl_.CullFace(GL_BACK);
+  for (const SurfaceBuffer* caster : casters) {
+    if (caster->closed()) gl_.Enable(GL_CULL_FACE);
+    caster->draw_triangles();
+    gl_.Disable(GL_CULL_FACE);
+  }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

@@ -1,5 +1,6 @@
 #include "render/surface_buffer.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace render {
@@ -39,42 +40,68 @@ void SurfaceBuffer::update_topology(const Surface& surface) {
   // Without computed normals the shape does not matter, only the number of vertices.
   const bool same_shape = given ? smoothing_.source.size() == rest.size() / 3 && made_crease_ < 0
                                 : made_crease_ == surface.crease && made_rest_ == rest;
+  const bool same_outline = made_outline_ == surface.outline;
+  const bool same = same_shape && made_triangles_ == surface.triangles && made_edges_ == surface.edges &&
+                    made_round_ == surface.round;
+  if (!same) make_topology(surface);
+  if (same && same_outline) return;
+  made_outline_ = surface.outline;
+  outline_indices_ = made_outline_.size();
+  gl_.BindVertexArray(0);  // so that no array remembers this binding
+  fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, outline_, made_outline_.data(), outline_indices_ * sizeof(std::uint32_t));
+}
+
+void SurfaceBuffer::make_topology(const Surface& surface) {
+  const bool given = !surface.normals.empty();
+  const std::vector<float>& rest = surface.rest.empty() ? surface.positions : surface.rest;
+  made_triangles_ = surface.triangles;
+  made_edges_ = surface.edges;
+  made_round_ = surface.round;
+  made_crease_ = given ? -1 : surface.crease;
+  if (given) {
+    made_rest_.clear();
+    smoothing_.triangles = surface.triangles;
+    smoothing_.source.resize(rest.size() / 3);
+    std::iota(smoothing_.source.begin(), smoothing_.source.end(), 0U);
+  } else {
+    made_rest_ = rest;
+    smoothing_ = smooth_groups(rest, surface.triangles, surface.crease);
+  }
+  closed_ = is_closed(surface.triangles);
+  std::vector<std::uint32_t> edges = surface.edges;
+  rounding_ = surface.round && !given ? rounding_of(smoothing_, edges) : std::vector<Rounding>{};
+  const std::vector<std::uint32_t>& triangles = rounding_.empty() ? smoothing_.triangles : rounding_.back().triangles;
+  gl_.BindVertexArray(0);
   const auto upload = [&](const GlObject& buffer, const std::vector<std::uint32_t>& indices) {
     fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, buffer, indices.data(), indices.size() * sizeof(std::uint32_t));
+    return indices.size();
   };
-  gl_.BindVertexArray(0);  // so that no array remembers these bindings
-  if (!same_shape || made_triangles_ != surface.triangles) {
-    made_triangles_ = surface.triangles;
-    made_crease_ = given ? -1 : surface.crease;
-    if (given) {
-      made_rest_.clear();
-      smoothing_.triangles = surface.triangles;
-      smoothing_.source.resize(rest.size() / 3);
-      std::iota(smoothing_.source.begin(), smoothing_.source.end(), 0U);
-    } else {
-      made_rest_ = rest;
-      smoothing_ = smooth_groups(rest, surface.triangles, surface.crease);
-    }
-    closed_ = is_closed(surface.triangles);
-    upload(triangles_, smoothing_.triangles);
-  }
-  if (made_edges_ != surface.edges) upload(edges_, made_edges_ = surface.edges);
-  if (made_outline_ != surface.outline) upload(outline_, made_outline_ = surface.outline);
+  triangle_indices_ = upload(triangles_, triangles);
+  edge_indices_ = upload(edges_, edges);
 }
 
 void SurfaceBuffer::update(const Surface& surface, const ColourScale* scale) {
   update_topology(surface);
   const bool given = !surface.normals.empty();
   if (!given) vertex_normals(smoothing_, surface.positions, normals_);
-  packed_.resize(smoothing_.source.size() * floats_per_vertex);
+  positions_.clear();
+  values_.clear();
+  if (given) normals_.clear();
+  const auto vector = [](const std::vector<float>& list, std::size_t v) {
+    return Eigen::Map<const Eigen::Vector3f>(list.data() + 3 * v);
+  };
+  for (const std::uint32_t v : smoothing_.source) {
+    positions_.push_back(vector(surface.positions, v));
+    if (given) normals_.push_back(vector(surface.normals, v));
+    values_.push_back(surface.values.empty() ? 0 : place_on(*scale, surface.values[v]));
+  }
+  for (const Rounding& level : rounding_) add_middles(level, positions_, normals_, values_);
+  packed_.resize(positions_.size() * floats_per_vertex);
   float* out = packed_.data();
-  for (std::size_t copy = 0; copy < smoothing_.source.size(); ++copy, out += floats_per_vertex) {
-    const std::size_t v = smoothing_.source[copy];
-    const float* position = surface.positions.data() + 3 * v;
-    const float* normal = given ? surface.normals.data() + 3 * v : normals_[copy].data();
-    std::copy(position, position + 3, out);
-    std::copy(normal, normal + 3, out + 3);
-    out[6] = surface.values.empty() ? 0 : place_on(*scale, surface.values[v]);
+  for (std::size_t i = 0; i < positions_.size(); ++i, out += floats_per_vertex) {
+    std::copy_n(positions_[i].data(), 3, out);
+    std::copy_n(normals_[i].data(), 3, out + 3);
+    out[6] = values_[i];
   }
   fill_buffer(gl_, GL_ARRAY_BUFFER, vertices_, packed_.data(), packed_.size() * sizeof(float));
 }
@@ -87,13 +114,13 @@ void SurfaceBuffer::draw(GLenum mode, const GlObject& indices, std::size_t count
 }
 
 void SurfaceBuffer::draw_triangles() const {
-  draw(GL_TRIANGLES, triangles_, made_triangles_.size());
+  draw(GL_TRIANGLES, triangles_, triangle_indices_);
 }
 void SurfaceBuffer::draw_edges() const {
-  draw(GL_LINES, edges_, made_edges_.size());
+  draw(GL_LINES, edges_, edge_indices_);
 }
 void SurfaceBuffer::draw_outline() const {
-  draw(GL_LINES, outline_, made_outline_.size());
+  draw(GL_LINES, outline_, outline_indices_);
 }
 
 }  // namespace render

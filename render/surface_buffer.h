@@ -8,6 +8,7 @@
 #include "render/frame.h"
 #include "render/gl.h"
 #include "render/normals.h"
+#include "render/rounding.h"
 
 namespace render {
 
@@ -29,12 +30,15 @@ class SurfaceBuffer {
   // Whether the inside of the surface is hidden as long as nothing is inverted.
   bool closed() const { return closed_; }
 
+  std::size_t triangle_count() const { return triangle_indices_ / 3; }
+
   void draw_triangles() const;
   void draw_edges() const;
   void draw_outline() const;
 
  private:
   void update_topology(const Surface& surface);
+  void make_topology(const Surface& surface);
   void draw(GLenum mode, const GlObject& indices, std::size_t count) const;
 
   const GladGLContext& gl_;
@@ -43,10 +47,14 @@ class SurfaceBuffer {
   std::vector<std::uint32_t> made_triangles_, made_edges_, made_outline_;
   std::vector<float> made_rest_;
   float made_crease_ = -1;
+  bool made_round_ = false;
   bool closed_ = false;
+  std::size_t triangle_indices_ = 0, edge_indices_ = 0, outline_indices_ = 0;  // uploaded
   Smoothing smoothing_;
-  std::vector<Eigen::Vector3f> normals_;  // scratch
-  std::vector<float> packed_;             // scratch: position, normal, value of each vertex
+  std::vector<Rounding> rounding_;                    // coarse to fine; empty: not made round
+  std::vector<Eigen::Vector3f> positions_, normals_;  // scratch
+  std::vector<float> values_;                         // scratch
+  std::vector<float> packed_;                         // scratch: position, normal, value of each vertex
 };
 
 }  // namespace render

@@ -215,12 +215,6 @@ bool Visibility::draw(const Frame& frame, const View& view, const SurfaceList& s
   return shows != 0;
 }
 
-void Visibility::clear() const {
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_target_.name());
-  gl_.ClearColor(1, 1, 1, 1);
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
-}
-
 // Outsides first; then the insides of closed surfaces, a little farther away, tell whether they are seen.
 void Visibility::draw_solids(const SurfaceList& solids) const {
   gl_.UseProgram(depth_program_.name());

@@ -2,33 +2,32 @@
 #pragma once
 
 #include "render/backdrop.h"
-#include "render/canvas.h"
 #include "render/gl.h"
+#include "render/rect.h"
 #include "render/shadow_map.h"
 
 namespace render {
 
-// For the fragment stages that shade: visible(corner of the target in the picture) gives (key light, sky), 0 to 1. Of
-// the four nearest texels of the visibility buffer those count that lie in the pixel's own plane; window depth is
-// linear on planes. (A software rasteriser runs both sides of a branch, and loops of fixed length fastest: there is
-// nothing to gain by skipping.)
+// For the fragment stages that shade: visible gives (key light, sky), 0 to 1, at a pixel of the picture with a window
+// depth and its change from pixel to pixel. Of the four nearest texels of the visibility buffer those count that lie in
+// the pixel's own plane; window depth is linear on planes. (A software rasteriser runs both sides of a branch, and
+// loops of fixed length fastest: there is nothing to gain by skipping.)
 inline constexpr std::string_view visibility_lookup = R"(
 uniform sampler2D visibility;
-vec2 visible(ivec2 origin) {
-  vec2 scale = size.xy / size.zw;
-  vec2 texel = (gl_FragCoord.xy + vec2(origin)) / scale - 0.5;
-  vec2 base = floor(texel);
-  vec2 f = texel - base;
-  float depth = gl_FragCoord.z;
-  vec2 slope = vec2(dFdx(depth), dFdy(depth)) * scale;
-  float tolerance = 4e-3 * forward.w / eye_depth_slope(eye_depth(depth));
+vec2 visible(vec2 pixel, float depth, vec2 change) {
+  vec2 place = pixel * texel.xy * size.zw - 0.5;
+  vec2 base = floor(place);
+  vec2 f = place - base;
+  float sharpness = eye_depth_slope(eye_depth(depth)) / (4e-3 * forward.w);
+  vec2 slope = change * (size.xy * texel.zw);
+  slope *= step(abs(slope) * sharpness, vec2(12.0));  // more is an edge
   vec3 sum = vec3(0.0);
   for (int k = 0; k < 4; ++k) {
     vec2 step = vec2(k & 1, k >> 1);
-    vec3 v = textureLod(visibility, (base + step + 0.5) / size.zw, 0.0).xyz;
+    vec3 v = textureLod(visibility, (base + (step + 0.5)) * texel.zw, 0.0).xyz;
     vec2 w = mix(1.0 - f, f, step);
     float apart = abs(v.z - depth - dot(slope, step - f));
-    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-3) / (apart + tolerance));
+    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-3) / (1.0 + apart * sharpness));
   }
   return sum.xy / sum.z;
 }
@@ -47,8 +46,6 @@ class Visibility {
   // shows.
   bool draw(const Frame& frame, const View& view, const SurfaceList& solids, const Backdrop& backdrop,
             const ShadowMap& shadow, const Rect& rect) const;
-  // Fills the buffer with full light.
-  void clear() const;
   // Red: key light, green: sky, blue: window depth.
   const GlObject& texture() const { return smooth_; }
 

@@ -20,7 +20,8 @@ namespace {
 class Screen {
  public:
   Screen(const Options& options, const std::string& title)
-      : window_(options.width, options.height, title),
+      : samples_(options.samples),
+        window_(options.width, options.height, title),
         gui_(window_, Panel::text_size(window_.width(), window_.height())) {
     window_.serve(gui_);
   }
@@ -45,7 +46,7 @@ class Screen {
     if (width - panel < 1 || height < 1) return;  // minimised
     if (width - panel != width_ || height != height_) {
       renderer_ = nullptr;
-      renderer_ = std::make_unique<render::Renderer>(window_, width - panel, height);
+      renderer_ = std::make_unique<render::Renderer>(window_, width - panel, height, samples_);
       gui_.set_text(Panel::text_size(width, height));
       width_ = width - panel;
       height_ = height;
@@ -67,6 +68,7 @@ class Screen {
     }
   }
 
+  int samples_;
   render::Window window_;
   render::Gui gui_;
   std::unique_ptr<render::Renderer> renderer_;

@@ -1,78 +1,127 @@
-// Two small frames against stored ones. Software rasterisers differ between processors, so not byte by byte: few pixels
-// may differ by more than a shade. To store new ones after a wanted change:
-//   build/ritz record assets/scenes/bear.toml --size 320x180 --seconds 0.5 --still -o /tmp/bear     (bracket alike)
-//   and copy the frame to tests/data/golden/bear.png
+// A small frame of every look against a stored one, by the command that a CI uses. To store new ones after a wanted
+// change, and to look at them:
+//   RITZ_STORE_GOLDEN=1 build/app_tests --gtest_filter='Golden.*'
 #include <gtest/gtest.h>
 
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
-#include <algorithm>
 #include <cstdlib>
-#include <memory>
 
 #include "app/commands.h"
+#include "app/output_file.h"
+#include "render/compare.h"
+#include "render/png.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {
 namespace {
 
-struct Pixels {
-  int width = 0, height = 0;
-  std::unique_ptr<unsigned char, void (*)(void*)> rgb{nullptr, stbi_image_free};
+namespace fs = std::filesystem;
+
+struct Golden {
+  const char* name;
+  const char* scene;  // below the source folder
+  const char* seconds;
+  std::vector<std::pair<const char*, const char*>> keys;
 };
 
-Pixels read(const std::filesystem::path& file) {
-  Pixels pixels;
-  int channels = 0;
-  pixels.rgb.reset(stbi_load(file.c_str(), &pixels.width, &pixels.height, &channels, 3));
-  return pixels;
+const std::vector<Golden>& looks() {
+  static const std::vector<Golden> all = {
+      {"bear", "assets/scenes/bear.toml", "0.5", {}},
+      {"jelly", "assets/scenes/bear.toml", "0.5", {{"look.finish", "\"jelly\""}, {"camera.orbit", "60"}}},
+      {"flat-faces",
+       "assets/scenes/bear.toml",
+       "0.1",
+       {{"look.smooth", "false"}, {"look.wireframe", "true"}, {"look.shadows", "false"}}},
+      {"bracket", "assets/scenes/bracket.toml", "0.5", {}},
+      {"figure",
+       "assets/scenes/bracket.toml",
+       "0.5",
+       {{"look.axes", "true"},
+        {"look.scale_bar", "true"},
+        {"look.ghost", "true"},
+        {"look.pins", "true"},
+        {"look.colour", "\"stretch\""},
+        {"look.range", "[0.9, 1.1]"},
+        {"look.wireframe", "false"}}},
+      {"energies", "assets/scenes/beam.toml", "0.4", {{"look.energies", "true"}, {"look.colour_map", "\"cividis\""}}},
+      {"arrows",
+       "assets/scenes/beam.toml",
+       "0.4",
+       {{"look.forces", "true"},
+        {"look.velocities", "true"},
+        {"look.pins", "true"},
+        {"look.ghost", "true"},
+        {"look.colour", "\"plain\""}}},
+      {"fall", "tests/data/looks/fall.toml", "0.6", {}},
+      {"paper",
+       "tests/data/looks/fall.toml",
+       "0.3",
+       {{"look.background", "\"paper\""},
+        {"look.colour", "\"J\""},
+        {"look.labels", "false"},
+        {"look.obstacles", "false"}}},
+  };
+  return all;
 }
 
-// Share of the pixels of which a channel differs by more than `shade` of 255.
-double share_of_difference(const Pixels& a, const Pixels& b, int shade) {
-  int count = 0;
-  for (int i = 0; i < a.width * a.height; ++i) {
-    int most = 0;
-    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a.rgb.get()[3 * i + c] - b.rgb.get()[3 * i + c]));
-    count += most > shade;
-  }
-  return static_cast<double>(count) / (a.width * a.height);
-}
-
-void compare(const std::string& scene) {
-  const TemporaryFolder temporary;
+Options options_for(const Golden& golden, const fs::path& out) {
   Options options;
-  options.scene = std::filesystem::path(RITZ_SOURCE_DIR) / "assets/scenes" / (scene + ".toml");
-  options.out = temporary.path() / scene;
+  options.scene = fs::path(RITZ_SOURCE_DIR) / golden.scene;
+  options.out = out;
   options.width = 320;
   options.height = 180;
   options.still = options.quiet = true;
-  options.overrides = {{"time.seconds", "0.5", "test"}};
-  ASSERT_EQ(record(options), kDone);
-  const Pixels drawn = read(options.out / "frames/frame_00015.png");
-  const Pixels golden = read(std::filesystem::path(RITZ_SOURCE_DIR) / "tests/data/golden" / (scene + ".png"));
-  ASSERT_TRUE(drawn.rgb && golden.rgb) << scene;
-  ASSERT_EQ(drawn.width, golden.width);
-  ASSERT_EQ(drawn.height, golden.height);
-  EXPECT_LT(share_of_difference(drawn, golden, 6), 0.01) << scene;
-  EXPECT_LT(share_of_difference(drawn, golden, 60), 0.001) << scene;
-  // A comparison that could not fail would be none.
-  const Pixels other = read(std::filesystem::path(RITZ_SOURCE_DIR) / "tests/data/golden" /
-                            (scene == "bear" ? "bracket.png" : "bear.png"));
-  EXPECT_GT(share_of_difference(drawn, other, 6), 0.3);
+  options.overrides = {{"time.seconds", golden.seconds, "test"}};
+  for (const auto& [key, value] : golden.keys) options.overrides.push_back({key, value, "test"});
+  return options;
 }
 
-TEST(Golden, TheBear) {
-  compare("bear");
+fs::path stored(const Golden& golden) {
+  return fs::path(RITZ_SOURCE_DIR) / "tests/data/golden" / golden.name;
 }
-TEST(Golden, TheBracket) {
-  compare("bracket");
+
+bool store() {
+  return std::getenv("RITZ_STORE_GOLDEN") != nullptr;
+}
+
+class GoldenLook : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(GoldenLook, IsDrawnAsStored) {
+  const Golden& golden = looks()[GetParam()];
+  const TemporaryFolder temporary;
+  Options options = options_for(golden, temporary / "run");
+  if (store()) {
+    ASSERT_EQ(record(options), kDone);
+    fs::remove_all(stored(golden));
+    fs::copy(temporary / "run/frames", stored(golden), fs::copy_options::recursive);
+    GTEST_SKIP() << "stored in " << stored(golden);
+  }
+  options.expect = stored(golden);
+  options.expect_share = 0.01;  // software rasterisers differ between processors
+  EXPECT_EQ(record(options), kDone) << golden.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, GoldenLook, testing::Range(std::size_t{0}, looks().size()), [](const auto& info) {
+  std::string name = looks()[info.param].name;
+  std::erase(name, '-');
+  return name;
+});
+
+render::Image picture_of(const Golden& golden) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(stored(golden))) {
+    return render::decode_png(read_all(entry.path()));
+  }
+  return {};
+}
+
+// A comparison that could not fail would be none: no look passes for another.
+TEST(Golden, LooksDifferFromEachOther) {
+  if (store()) GTEST_SKIP();
+  for (std::size_t i = 0; i < looks().size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double share = render::compare(picture_of(looks()[i]), picture_of(looks()[k]), 8).share;
+      EXPECT_GT(share, 0.02) << looks()[i].name << " and " << looks()[k].name;
+    }
+  }
 }
 
 }  // namespace

@@ -181,6 +181,22 @@ TEST_F(Record, ResumedEqualsStraight) {
   EXPECT_TRUE(json_says(folder_ / "parts", "\"resumed_from_step\": 4"));
 }
 
+// A colour range that the scene leaves open depends on the frames before, and so do the energies over time.
+TEST_F(Record, ResumedKeepsColoursAndEnergies) {
+  const auto shown = [&](const std::string& out) {
+    return with(with(options(out), "look.colour", "\"stress\""), "look.energies", "true");
+  };
+  const auto kicked = [&](const Options& options) { return with(options, "body.0.velocity", "[0, 0, 8]"); };
+  ASSERT_EQ(record(kicked(shown("straight"))), kDone);
+  ASSERT_EQ(record(with(kicked(shown("parts")), "time.seconds", "0.2")), kDone);
+  ASSERT_EQ(run(kicked(resumed(with(shown("parts"), "time.seconds", "0.3")))), kDone);  // without pictures as well
+  ASSERT_EQ(record(kicked(resumed(shown("parts")))), kDone);
+  EXPECT_EQ(read_all(folder_ / "straight/state.bin"), read_all(folder_ / "parts/state.bin"));
+  EXPECT_EQ(read_all(folder_ / "straight/frames/frame_00004.png"), read_all(folder_ / "parts/frames/frame_00004.png"));
+  // The range has grown, and stays: the same moment in a run of its own, which has seen nothing else, looks other.
+  EXPECT_GT(read_state_file(folder_ / "straight/state.bin").totals.largest[0], 0);
+}
+
 // What a killed run leaves beyond its last state.bin is replaced when it goes on.
 TEST_F(Record, WhatIsBeyondTheSavedStateIsReplaced) {
   ASSERT_EQ(record(options("straight")), kDone);

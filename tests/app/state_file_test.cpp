@@ -30,7 +30,7 @@ std::string with_count(std::string bytes, std::size_t place, std::uint64_t count
   return bytes;
 }
 
-constexpr std::size_t kLengths = 8 + 4 + 8 + 3 * 8 + 8 + 8;  // where the length of x stands
+constexpr std::size_t kLengths = 8 + 4 + 8 + 3 * 8 + 5 * 8 + 8;  // where the length of x stands
 
 TEST(StateFile, GivesBackEveryBit) {
   const SavedRun run = example();
@@ -55,7 +55,7 @@ TEST(StateFile, OneStepSchemesHaveNoStepBefore) {
 TEST(StateFile, BytesAreLittleEndianAndInTheDocumentedOrder) {
   const std::string bytes = encode(example());
   EXPECT_EQ(bytes.substr(0, 8), "RITZSTAT");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\1\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\2\0\0\0", 4));
   EXPECT_EQ(bytes.substr(12, 8), "\x10\x32\x54\x76\x98\xba\xdc\xfe");
   EXPECT_EQ(bytes[kLengths], 6);
   EXPECT_EQ(bytes.size(), kLengths + 9 * (8 + 6 * 8) + 3 * 8 + 4 * 8 + 8);
@@ -91,8 +91,8 @@ TEST(StateFile, AbsurdLengthsAreRefusedBeforeAnythingIsAllocated) {
 
 TEST(StateFile, OtherVersionsAndOtherFilesAreNamedAsSuch) {
   std::string newer = encode(example());
-  newer[8] = 2;
-  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 2, this program reads 1"),
+  newer[8] = 3;
+  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 3, this program reads 2"),
             std::string::npos);
   EXPECT_NE(error_of([] { decode("\x89PNG and something else", "state.bin"); }).find("not a state file"),
             std::string::npos);

@@ -53,6 +53,20 @@ TEST(Video, HasEveryPictureAtTheRightRateAndAnEvenSize) {
   EXPECT_EQ(probe(folder / "out.mp4"), "66,42,30/1,12");
 }
 
+TEST(Video, AGifHasEveryPictureButNoMoreThanPlayersShow) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  const TemporaryFolder folder;
+  for (const auto& [fps, frames] : {std::pair{25, "12"}, {100, "6"}}) {
+    const std::filesystem::path file = folder / (std::to_string(fps) + ".gif");
+    Video video(file, {65, 41, fps, 1}, false);
+    for (int i = 0; i < 12; ++i) video.write(grey(65, 41, static_cast<std::uint8_t>(20 * i)));
+    video.finish();
+    const std::string found = probe(file);
+    EXPECT_TRUE(found.starts_with("65,41,")) << found;
+    EXPECT_TRUE(found.ends_with(std::string(",") + frames)) << found;
+  }
+}
+
 TEST(Video, AbandonedVideoIsStillReadable) {
   if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   const TemporaryFolder folder;

@@ -61,12 +61,22 @@ TEST(View, AWidePlaneSceneFitsInWidth) {
 
 TEST(View, TheFloorIsBelowTheLowestPoint) {
   Look look;
-  const auto ground = ground_of(look, Vec3(0, 0, 1), kBox);
+  const auto ground = ground_of(look, Vec3(0, 0, 1), kBox, {});
   EXPECT_NEAR(ground->point[2], 2 - 0.004, 1e-6);
   look.ground_height = -5;
-  EXPECT_FLOAT_EQ(ground_of(look, Vec3(0, 1, 0), kBox)->point[1], -5);
+  EXPECT_FLOAT_EQ(ground_of(look, Vec3(0, 1, 0), kBox, {})->point[1], -5);
   look.ground = false;
-  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), kBox).has_value());
+  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), kBox, {}).has_value());
+}
+
+TEST(View, AnObstacleThatIsAFloorIsTheFloor) {
+  const std::vector<sim::Obstacle> floor = {{sim::Plane{{0, -2, 0}, {0, 1, 0}}}};
+  const std::vector<sim::Obstacle> wall = {{sim::Plane{{-2, 0, 0}, {1, 0, 0}}}};
+  Look look;
+  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), kBox, floor).has_value());
+  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), kBox, wall).has_value());
+  look.ground_height = -3;
+  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), kBox, floor).has_value());
 }
 
 }  // namespace

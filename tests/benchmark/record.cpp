@@ -2,13 +2,17 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 
 #include "app/commands.h"
+#include "app/output_file.h"
+#include "app/pipeline.h"
 #include "render/png.h"
 #include "render/renderer.h"
 
@@ -54,6 +58,28 @@ void encode(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(render::encode_png(image));
 }
 
+// Frames as a recording makes them, without steps: drawn in one thread, encoded and written in another. Time per frame.
+void draw_encode_write(benchmark::State& state) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "ritz-benchmark-frames";
+  std::filesystem::create_directories(folder);
+  const auto make = [] {
+    struct Easel {
+      std::unique_ptr<render::Context> context = render::make_offscreen_context();
+      render::Renderer renderer{*context, 1280, 720, 4};
+    };
+    return [easel = std::make_shared<Easel>()](const render::Frame& picture) { return easel->renderer.draw(picture); };
+  };
+  std::atomic<int> number = 0;
+  const auto write = [&](const render::Image& image) {
+    app::write_atomically(folder / std::to_string(number++ % 10), app::as_text(render::encode_png(image)), false);
+  };
+  app::Pipeline<render::Frame, render::Image> stages(make, write);
+  const render::Frame picture = frame();
+  for (auto _ : state) stages.push(picture);
+  stages.finish();
+  std::filesystem::remove_all(folder);
+}
+
 double number_after(const std::string& text, const std::string& key) {
   const std::size_t at = text.find("\"" + key + "\":");
   return at == std::string::npos ? 0 : std::stod(text.substr(at + key.size() + 3));
@@ -81,6 +107,7 @@ void record(benchmark::State& state) {
 
 BENCHMARK(draw)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(encode)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(draw_encode_write)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(record)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
