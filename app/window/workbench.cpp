@@ -228,8 +228,9 @@ std::optional<std::filesystem::path> Workbench::take_screenshot() {
 
 void Workbench::refresh_picture(double aspect) {
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
-  if (picture_ && shown_ == simulation && aspect == aspect_) return;
-  picture_ = std::make_unique<Picture>(*simulation->system, simulation->document, aspect);
+  if (sight_ && shown_ == simulation && aspect == aspect_) return;
+  Picture picture(*simulation->system, simulation->document, aspect);
+  sight_ = std::make_unique<const Sight>(Sight{simulation, std::move(picture), {}});
   shown_ = simulation;
   aspect_ = aspect;
   camera_.reset();
@@ -245,7 +246,7 @@ const render::Frame& Workbench::frame(int width, int height) {
                 .min_J = report_.min_J,
                 .report = report_};
   frames_.fill(totals_, moment);
-  frame_ = picture_->frame(moment);
+  frame_ = sight_->picture.frame(moment);
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
   if (grip && session_->pull()) {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "app/easel.h"
 #include "app/frame_history.h"
 #include "app/options.h"
 #include "app/panel/panel.h"
-#include "app/picture.h"
 #include "app/session/monitor.h"
 #include "app/session/session.h"
 #include "app/session/session_log.h"
@@ -73,10 +73,10 @@ class Workbench {
 
   FrameHistory frames_;  // and what they are shown with
   Totals totals_;
-  std::shared_ptr<const Simulation> shown_;  // what the picture was made for
-  double aspect_ = 0;
-  std::unique_ptr<Picture> picture_;
-  std::optional<render::Camera> camera_;  // moved since then
+  std::unique_ptr<const Sight> sight_;
+  double aspect_ = 0;                        // that it was made for
+  std::shared_ptr<const Simulation> shown_;  // what it shows; another than its own, when only
+  std::optional<render::Camera> camera_;     // the camera has moved since
   render::Frame frame_;
 };
 
