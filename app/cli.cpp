@@ -88,23 +88,23 @@ void add_output_options(CLI::App& command, Options& options) {
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }
 
-void add_size_option(CLI::App& command, Options& options, const char* what) {
+void add_size_options(CLI::App& command, Options& options, const char* what) {
   command
       .add_option_function<std::string>(
           "--size", [&options](const std::string& text) { read_size(options, text); }, what)
       ->type_name("WxH");
-}
-
-void add_picture_options(CLI::App& command, Options& options) {
-  add_size_option(command, options, "Size of a frame in pixels [1280x720]");
-  CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
-                                 ->check(CLI::Range(1, kMost))
-                                 ->type_name("N");
-  command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
   command.add_option("--samples", options.samples, "Samples per pixel: 1 is fast and jagged, 8 slow and smooth")
       ->check(CLI::IsMember({1, 2, 4, 8}))
       ->type_name("N")
       ->capture_default_str();
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  add_size_options(command, options, "Size of a frame in pixels [1280x720]");
+  CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
+                                 ->check(CLI::Range(1, kMost))
+                                 ->type_name("N");
+  command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
   command.add_option("--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif")
       ->type_name("FILE");
   command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
@@ -154,7 +154,7 @@ void add_stress_options(CLI::App& command, Options& options) {
 }
 
 void add_window_options(CLI::App& command, Options& options) {
-  add_size_option(command, options, "Size of the window in pixels [1280x720]");
+  add_size_options(command, options, "Size of the window in pixels [1280x720]");
   command.add_option("--log", options.log, "Write every input with its step, for ritz record --replay")
       ->type_name("FILE");
   command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");

@@ -1,5 +1,3 @@
-#include <iostream>
-
 #include "app/commands.h"
 #include "app/recorder.h"
 #include "app/run_loop.h"
@@ -15,15 +13,7 @@ int record(const Options& options) {
   const Start start = make_start(*simulation, folder, !options.resume.empty());
   Recorder recorder(simulation, folder, options);
   const Outcome outcome = run_loop(*simulation, options, folder, start, recorder);
-  if (!options.quiet) {
-    const std::filesystem::path place = options.video.empty() ? folder.frames() : options.video;
-    std::cerr << recorder.frames_drawn() << " frames in " << place.string() << '\n';
-  }
-  const int code = conclude(*simulation, options, folder, outcome);
-  const std::optional<Expectation>& expectation = recorder.expectation();
-  if (code != kDone || !expectation) return code;
-  if (!options.quiet || !expectation->fulfilled()) std::cerr << expectation->summary() << '\n';
-  return expectation->fulfilled() ? kDone : kFramesDiffer;
+  return judged(conclude(*simulation, options, folder, outcome), recorder, folder, options);
 }
 
 }  // namespace app

@@ -1,29 +1,15 @@
 #include "app/recorder.h"
 
+#include <iostream>
 #include <stdexcept>
 
+#include "app/commands.h"
 #include "app/output_file.h"
 #include "app/stopwatch.h"
-#include "render/context.h"
-#include "render/gui.h"
 #include "render/png.h"
-#include "render/renderer.h"
 
 namespace app {
 namespace {
-
-// Two pictures of the same height, side by side.
-render::Image beside(const render::Image& left, const render::Image& right) {
-  render::Image both{left.width + right.width, left.height, {}};
-  both.rgba.reserve(left.rgba.size() + right.rgba.size());
-  for (int y = 0; y < left.height; ++y) {
-    for (const render::Image* image : {&left, &right}) {
-      const auto row = image->rgba.begin() + std::ptrdiff_t{4} * image->width * y;
-      both.rgba.insert(both.rgba.end(), row, row + std::ptrdiff_t{4} * image->width);
-    }
-  }
-  return both;
-}
 
 std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& options) {
   if (options.video.empty()) return nullptr;
@@ -40,44 +26,12 @@ std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& o
 
 }  // namespace
 
-// The drawing thread owns its context and all that is in it; in the order of their making.
-struct Recorder::Easel {
-  Easel(int width_, int height_, int panel_width_, int samples)
-      : width(width_),
-        height(height_),
-        panel_width(panel_width_),
-        renderer(*context, width - panel_width, height, samples) {
-    if (panel_width > 0) gui.emplace(*context, Panel::text_size(width, height));
-  }
-  render::Image draw(const Job& job);
-
-  int width, height, panel_width;  // of the frame; the panel stands at its left
-  std::unique_ptr<render::Context> context = render::make_offscreen_context();
-  render::Renderer renderer;
-  std::optional<render::Gui> gui;
-  Panel panel;
-};
-
-render::Image Recorder::Easel::draw(const Job& job) {
-  const Sight& sight = *job.sight;
-  render::Image picture = renderer.draw(sight.picture.frame(job.moment));
-  if (!gui) return picture;
-  const std::int64_t step = job.moment.state.step;
-  const sim::System& system = *sight.simulation->system;
-  PanelState state{sight.simulation->document, system, sight.waiting, job.samples, system.time(step), step};
-  state.clock = false;
-  return beside(gui->picture(panel_width, height, [&] { panel.draw(state, panel_width, height); }), picture);
-}
-
 Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options)
     : folder_(folder),
-      width_(options.width),
-      height_(options.height),
-      samples_(options.samples),
+      size_(options),
       every_(options.every),
       last_frame_(simulation->last_frame()),
       still_(options.still),
-      panel_width_(options.panel ? Panel::width(options.width, options.height) : 0),
       expectation_(options.expect.empty() ? std::nullopt : std::optional<Expectation>(std::in_place, options, folder)),
       video_(make_video(*simulation, options)),
       sight_(make_sight(std::move(simulation), {})),
@@ -85,9 +39,9 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
   if (!video_) folder_.make_folder(folder_.frames());
 }
 
-std::shared_ptr<const Recorder::Sight> Recorder::make_sight(std::shared_ptr<const Simulation> simulation,
-                                                            std::vector<Override> waiting) const {
-  Picture picture(*simulation->system, simulation->document, double(width_ - panel_width_) / height_);
+std::shared_ptr<const Sight> Recorder::make_sight(std::shared_ptr<const Simulation> simulation,
+                                                  std::vector<Override> waiting) const {
+  Picture picture(*simulation->system, simulation->document, size_.aspect());
   return std::make_shared<const Sight>(Sight{std::move(simulation), std::move(picture), std::move(waiting)});
 }
 
@@ -100,7 +54,7 @@ bool Recorder::is_drawn(std::int64_t frame) const {
 }
 
 void Recorder::add(Moment moment, std::string checkpoint) {
-  if (panel_width_ > 0 && moment.frame > 0) {
+  if (size_.panel > 0 && moment.frame > 0) {
     const Simulation& now = *sight_->simulation;
     const double t = static_cast<double>(moment.frame) / now.document.scene.time.fps;
     monitor_.add(sample_of(t, *now.system, moment.state, moment.report));
@@ -127,9 +81,9 @@ FrameSeconds Recorder::seconds() const {
 }
 
 Recorder::Stages::Draw Recorder::make_draw() const {
-  return [this, easel = std::make_shared<Easel>(width_, height_, panel_width_, samples_)](Job job) {
-    Drawn drawn{job.moment.frame, std::nullopt, job.checkpoint};
-    if (job.draw) drawn.image = easel->draw(job);
+  return [this, easel = std::make_shared<Easel>(size_)](Job job) {
+    Drawn drawn{job.moment.frame, std::nullopt, std::move(job.checkpoint)};
+    if (job.draw) drawn.image = easel->draw(*job.sight, job.moment, job.samples);
     return drawn;
   };
 }
@@ -142,6 +96,17 @@ void Recorder::write(const Drawn& drawn) {
   }
   if (drawn.image && expectation_) expectation_->compare(drawn.frame, *drawn.image);
   if (!drawn.checkpoint.empty()) write_atomically(folder_.state(), drawn.checkpoint, true);
+}
+
+int judged(int code, const Recorder& recorder, const RunFolder& folder, const Options& options) {
+  if (!options.quiet) {
+    const std::filesystem::path place = options.video.empty() ? folder.frames() : options.video;
+    std::cerr << recorder.frames_drawn() << " frames in " << place.string() << '\n';
+  }
+  const std::optional<Expectation>& expectation = recorder.expectation();
+  if (code != kDone || !expectation) return code;
+  if (!options.quiet || !expectation->fulfilled()) std::cerr << expectation->summary() << '\n';
+  return expectation->fulfilled() ? kDone : kFramesDiffer;
 }
 
 }  // namespace app

@@ -6,11 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "app/easel.h"
 #include "app/expectation.h"
 #include "app/frame_sink.h"
 #include "app/options.h"
-#include "app/panel/panel.h"
-#include "app/picture.h"
 #include "app/pipeline.h"
 #include "app/run_folder.h"
 #include "app/simulation.h"
@@ -35,20 +34,13 @@ class Recorder : public FrameSink {
   const std::optional<Expectation>& expectation() const { return expectation_; }
 
  private:
-  // What is seen; shared, because the drawing thread may be some frames behind.
-  struct Sight {
-    std::shared_ptr<const Simulation> simulation;
-    Picture picture;
-    std::vector<Override> waiting;
-  };
   struct Job {
     Moment moment;
     bool draw = true;
     std::string checkpoint;
-    std::shared_ptr<const Sight> sight;
+    std::shared_ptr<const Sight> sight;  // shared: the drawing thread may be some frames behind
     std::vector<Sample> samples;
   };
-  struct Easel;
   struct Drawn {
     std::int64_t frame = 0;
     std::optional<render::Image> image;
@@ -63,10 +55,10 @@ class Recorder : public FrameSink {
   void write(const Drawn& drawn);
 
   const RunFolder& folder_;
-  int width_, height_, samples_, every_;
+  FrameSize size_;
+  int every_;
   std::int64_t last_frame_;
   bool still_;
-  int panel_width_;  // pixels; 0: no panel
   int frames_drawn_ = 0;
   double waiting_ = 0;
   Monitor monitor_;  // frame by frame, for the panel's plots
@@ -75,5 +67,8 @@ class Recorder : public FrameSink {
   std::shared_ptr<const Sight> sight_;
   Stages stages_;  // last: its threads use all of the above
 };
+
+// Says what was drawn, and how it compares with --expect; the exit code, which was `code` so far.
+int judged(int code, const Recorder& recorder, const RunFolder& folder, const Options& options);
 
 }  // namespace app

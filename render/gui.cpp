@@ -7,8 +7,9 @@ namespace {
 
 // Calm and light, to stand beside the picture.
 void set_style(float text) {
-  ImGui::StyleColorsLight();
   ImGuiStyle& style = ImGui::GetStyle();
+  style = {};
+  ImGui::StyleColorsLight();
   style.ScaleAllSizes(text / 13);
   style.WindowRounding = 0;
   style.FrameRounding = 0.2F * text;
@@ -24,10 +25,19 @@ void set_style(float text) {
 }  // namespace
 
 Gui::Gui(Context& context, float text) : context_(context), gl_(load_gl(context)), imgui_(make_imgui()) {
+  set_text(text);
+}
+
+void Gui::set_text(float text) {
+  if (text == text_) return;
+  text_ = text;
   const InUse in_use(imgui_);
   set_style(text);
-  load_font(*ImGui::GetIO().Fonts, "DejaVuSans.ttf", text);
-  painter_.emplace(gl_, *ImGui::GetIO().Fonts);
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  load_font(fonts, "DejaVuSans.ttf", text);
+  painter_.reset();
+  painter_.emplace(gl_, fonts);
 }
 
 Gui::~Gui() {

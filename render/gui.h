@@ -23,6 +23,9 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
+  // Other letters from the next frame on.
+  void set_text(float text);
+
   // Where mouse and keys come from: `feed` is called before every frame, with the size of the frame in pixels, `stop`
   // at the end, both with the context in use. Without them there is neither mouse nor key.
   void listen(std::function<void(int width, int height)> feed, std::function<void()> stop);
@@ -41,6 +44,7 @@ class Gui {
   Context& context_;
   GladGLContext gl_;
   ImGuiContext* imgui_;
+  float text_ = 0;
   std::optional<DrawDataPainter> painter_;
   std::function<void(int, int)> feed_;
   std::function<void()> stop_;

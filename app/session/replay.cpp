@@ -145,13 +145,12 @@ int replay(const Options& options) {
   write_atomically(folder.session(), read_contents(options.replay), false);
   write_state_file(folder.state(), outcome.run);
   write_atomically(folder.run_json(), run_json(last, used, folder, outcome, recorder.seconds()), true);
-  if (!options.quiet) std::cerr << recorder.frames_drawn() << " frames in " << folder.frames().string() << '\n';
   compare(file, outcome);
   if (outcome.status == Status::interrupted) {
     std::cerr << "ritz: interrupted after step " << session.steps() << " of " << file.steps << '\n';
     return kInterrupted;
   }
-  return conclude(last, used, folder, outcome);
+  return judged(conclude(last, used, folder, outcome), recorder, folder, used);
 }
 
 }  // namespace app

@@ -1,4 +1,5 @@
 // `ritz view`: the window around a workbench.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -19,7 +20,8 @@ namespace {
 class Screen {
  public:
   Screen(const Options& options, const std::string& title)
-      : window_(options.width, options.height, title),
+      : samples_(options.samples),
+        window_(options.width, options.height, title),
         gui_(window_, Panel::text_size(window_.width(), window_.height())) {
     window_.serve(gui_);
   }
@@ -44,20 +46,29 @@ class Screen {
     if (width - panel < 1 || height < 1) return;  // minimised
     if (width - panel != width_ || height != height_) {
       renderer_ = nullptr;
-      renderer_ = std::make_unique<render::Renderer>(window_, width - panel, height);
+      renderer_ = std::make_unique<render::Renderer>(window_, width - panel, height, samples_);
+      gui_.set_text(Panel::text_size(width, height));
       width_ = width - panel;
       height_ = height;
     }
     renderer_->paint(bench.frame(width_, height_));
     renderer_->present(panel);
     gui_.draw(width, height, [&] { bench.draw_panel(width, height); });
-    if (const auto file = bench.take_screenshot()) {
-      write_atomically(*file, as_text(render::encode_png(gui_.read(width, height))), false);
-    }
+    if (const auto file = bench.take_screenshot()) save_picture(*file, bench);
     window_.swap();
   }
 
  private:
+  void save_picture(const std::filesystem::path& file, Workbench& bench) const {
+    try {
+      const render::Image image = gui_.read(window_.width(), window_.height());
+      write_atomically(file, as_text(render::encode_png(image)), false);
+    } catch (const WriteError& error) {
+      bench.say(error.what());
+    }
+  }
+
+  int samples_;
   render::Window window_;
   render::Gui gui_;
   std::unique_ptr<render::Renderer> renderer_;
@@ -66,20 +77,21 @@ class Screen {
 
 // Sleeps while nothing moves; a few pictures follow every event, so that widgets settle.
 void run(Workbench& bench, Screen& screen) {
-  constexpr double blink = 0.1;  // s: the longest sleep, so that Ctrl+C is heard
+  constexpr double blink = 0.1;     // s: the longest sleep, so that Ctrl+C is heard
+  constexpr double moment = 0.002;  // s: between two looks at the clock while it plays
   constexpr int settling = 3;
   const Interrupt interrupt;
   Stopwatch watch;
   int to_draw = settling;
   while (!bench.quits() && !screen.window().wants_to_close() && !interrupt.requested()) {
-    const bool busy = bench.playing() || to_draw > 0;
-    const auto events = screen.window().events(busy ? 0 : blink);
+    const auto events = screen.window().events(to_draw > 0 ? 0 : bench.playing() ? moment : blink);
     for (const render::WindowEvent& event : events) screen.pass(event, bench);
     if (!events.empty()) to_draw = settling;
-    bench.advance(watch.seconds());
+    const double passed = watch.seconds();
     watch = {};
-    if (!bench.playing() && to_draw == 0) continue;
-    if (to_draw > 0) --to_draw;
+    if (bench.advance(passed)) to_draw = std::max(to_draw, 1);
+    if (to_draw == 0) continue;
+    --to_draw;
     screen.draw(bench);
   }
 }
@@ -87,19 +99,20 @@ void run(Workbench& bench, Screen& screen) {
 }  // namespace
 
 int view(const Options& options) {
-  Workbench bench(options);
-  for (const std::string& remark : bench.session().simulation()->remarks()) {
-    if (!options.quiet) std::cerr << "note: " << remark << '\n';
-  }
+  auto session = std::make_unique<Session>(options);
   try {
     Screen screen(options, "Ritz: " + options.scene.filename().string());
+    for (const std::string& remark : session->simulation()->remarks()) {
+      if (!options.quiet) std::cerr << "note: " << remark << '\n';
+    }
+    Workbench bench(options, std::move(session));
     run(bench, screen);
+    bench.finish();
   } catch (const render::NoDisplay& none) {
     std::cerr << "ritz: no window can be opened (" << none.what() << "); `ritz record " << options.scene.string()
               << "` draws without a display\n";
     return kBadInput;
   }
-  bench.finish();
   return kDone;
 }
 

@@ -54,8 +54,8 @@ std::string failure_text(const sim::System& system, const sim::StepReport& repor
 
 }  // namespace
 
-Workbench::Workbench(Options options)
-    : options_(std::move(options)), session_(std::make_unique<Session>(options_)), frames_(*session_->simulation()) {
+Workbench::Workbench(Options options, std::unique_ptr<Session> session)
+    : options_(std::move(options)), session_(std::move(session)), frames_(*session_->simulation()) {
   count_frame();
   if (options_.log.empty()) return;
   if (std::filesystem::exists(options_.log) && !options_.overwrite) {
@@ -124,15 +124,18 @@ void Workbench::act(Action action) {
   }
 }
 
-void Workbench::advance(double wall) {
-  if (!playing_) return;
+bool Workbench::advance(double wall) {
+  if (!playing_) return false;
   const double h = session_->simulation()->system->step_seconds();
   pace_.pass(wall, h);
   const Stopwatch watch;
+  bool stepped = false;
   while (playing_ && pace_.due(h) && watch.seconds() < kStepping) {
-    if (!step()) return;
+    stepped = true;
+    if (!step()) break;
     pace_.stepped(h);
   }
+  return stepped;
 }
 
 // False, and no longer playing, when the step cannot be taken.
@@ -162,6 +165,7 @@ void Workbench::count_frame() {
 
 void Workbench::apply(const Input& input) {
   const Event event{session_->steps(), input};
+  if (!std::holds_alternative<PullTo>(input)) pull_to_.reset();
   try {
     session_->apply(input);
   } catch (const std::runtime_error& refused) {
@@ -224,8 +228,9 @@ std::optional<std::filesystem::path> Workbench::take_screenshot() {
 
 void Workbench::refresh_picture(double aspect) {
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
-  if (picture_ && shown_ == simulation && aspect == aspect_) return;
-  picture_ = std::make_unique<Picture>(*simulation->system, simulation->document, aspect);
+  if (sight_ && shown_ == simulation && aspect == aspect_) return;
+  Picture picture(*simulation->system, simulation->document, aspect);
+  sight_ = std::make_unique<const Sight>(Sight{simulation, std::move(picture), {}});
   shown_ = simulation;
   aspect_ = aspect;
   camera_.reset();
@@ -241,7 +246,7 @@ const render::Frame& Workbench::frame(int width, int height) {
                 .min_J = report_.min_J,
                 .report = report_};
   frames_.fill(totals_, moment);
-  frame_ = picture_->frame(moment);
+  frame_ = sight_->picture.frame(moment);
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
   if (grip && session_->pull()) {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "app/easel.h"
 #include "app/frame_history.h"
 #include "app/options.h"
 #include "app/panel/panel.h"
-#include "app/picture.h"
 #include "app/session/monitor.h"
 #include "app/session/session.h"
 #include "app/session/session_log.h"
@@ -23,16 +23,16 @@ namespace app {
 
 class Workbench {
  public:
-  // Loads the scene and begins the log that the options name. Throws SceneError, WriteError.
-  explicit Workbench(Options options);
+  // A session of what the options name, and their log, which it begins. Throws WriteError.
+  Workbench(Options options, std::unique_ptr<Session> session);
 
   // Pixels at the left of a window of this size that the picture does not have.
   int panel_width(int width, int height) const { return panel_shown_ ? Panel::width(width, height) : 0; }
   // One thing that the user did, in a picture of this size. `over_widgets`: the mouse, or the typing, is the panel's.
   void handle(const render::WindowEvent& event, int width, int height, bool over_widgets);
   void act(Action action);
-  // Takes the steps that `wall` seconds are worth, while it plays.
-  void advance(double wall);
+  // Takes the steps that `wall` seconds are worth, while it plays. True when there was one.
+  bool advance(double wall);
   // What is to be seen in a picture of this size.
   const render::Frame& frame(int width, int height);
   // The widgets of a window of this size, in the frame of Dear ImGui that is under way; does what they ask for.
@@ -44,6 +44,7 @@ class Workbench {
   bool quits() const { return quits_; }
   const Session& session() const { return *session_; }
   const std::string& message() const { return message_; }
+  void say(std::string message) { message_ = std::move(message); }
   // Where the screenshot that was asked for is to go, once.
   std::optional<std::filesystem::path> take_screenshot();
 
@@ -72,10 +73,10 @@ class Workbench {
 
   FrameHistory frames_;  // and what they are shown with
   Totals totals_;
-  std::shared_ptr<const Simulation> shown_;  // what the picture was made for
-  double aspect_ = 0;
-  std::unique_ptr<Picture> picture_;
-  std::optional<render::Camera> camera_;  // moved since then
+  std::unique_ptr<const Sight> sight_;
+  double aspect_ = 0;                        // that it was made for
+  std::shared_ptr<const Simulation> shown_;  // what it shows; another than its own, when only
+  std::optional<render::Camera> camera_;     // the camera has moved since
   render::Frame frame_;
 };
 

@@ -57,7 +57,7 @@ class WorkbenchTest : public SessionScene {
 };
 
 TEST_F(WorkbenchTest, KeysStepBackAndReset) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   key(bench, render::Key::right);
   key(bench, render::Key::right);
   EXPECT_EQ(bench.session().state().step, 2);
@@ -69,7 +69,7 @@ TEST_F(WorkbenchTest, KeysStepBackAndReset) {
 }
 
 TEST_F(WorkbenchTest, PlaysAtTheRateOfTheWallClock) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   bench.advance(1);
   EXPECT_EQ(bench.session().steps(), 0) << "it begins paused";
   key(bench, render::Key::space);
@@ -100,7 +100,7 @@ TEST(Pace, KeepsToTheClockAndSaysWhereItCannot) {
 }
 
 TEST_F(WorkbenchTest, TypingAndThePanelAreLeftAlone) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   WindowEvent space{WindowEvent::Kind::key, render::Key::right};
   bench.handle(space, kWidth, kHeight, true);
   EXPECT_EQ(bench.session().steps(), 0);
@@ -116,7 +116,7 @@ TEST_F(WorkbenchTest, TypingAndThePanelAreLeftAlone) {
 }
 
 TEST_F(WorkbenchTest, TheMouseMovesTheCamera) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   const render::Camera first = bench.frame(kWidth, kHeight).camera;
   const auto length = [](const render::Camera& c) {
     return std::hypot(c.eye[0] - c.target[0], c.eye[1] - c.target[1], c.eye[2] - c.target[2]);
@@ -143,14 +143,14 @@ TEST_F(WorkbenchTest, TheMouseMovesTheCamera) {
 }
 
 TEST_F(WorkbenchTest, AnOrbitStopsShortOfThePole) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   for (int k = 0; k < 20; ++k) drag(bench, 80, 10, 80, 110, render::Button::left);
   const render::Camera camera = bench.frame(kWidth, kHeight).camera;
   EXPECT_NO_THROW(render::make_view(camera, 1, {}));
 }
 
 TEST_F(WorkbenchTest, ControlAndDragPullTheBody) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   const sim::Vec3 corner(2, 1, 1);
   const Eigen::Vector3f at = place(bench, corner);
   mouse(bench, WindowEvent::Kind::press, at.x() - 1, at.y() + 2, render::Button::left, true);
@@ -171,7 +171,7 @@ TEST_F(WorkbenchTest, ControlAndDragPullTheBody) {
 }
 
 TEST_F(WorkbenchTest, SavesAndReadsAgain) {
-  Workbench bench(logged());
+  Workbench bench(logged(), std::make_unique<Session>(logged()));
   letter(bench, 'W', false);
   EXPECT_TRUE(bench.session().document().look.wireframe);
   letter(bench, 'S', true);
@@ -197,7 +197,7 @@ TEST_F(WorkbenchTest, AFailureIsShownAndTheStateStays) {
   wild.overrides = {{"time.integrator", "symplectic-euler", "test"},
                     {"time.substeps", "1", "test"},
                     {"body.0.material.young", "1e9", "test"}};
-  Workbench bench(wild);
+  Workbench bench(wild, std::make_unique<Session>(wild));
   key(bench, render::Key::space);
   for (int k = 0; k < 2000 && bench.playing(); ++k) bench.advance(0.1);
   EXPECT_FALSE(bench.playing());
@@ -209,7 +209,8 @@ TEST_F(WorkbenchTest, AFailureIsShownAndTheStateStays) {
 
 TEST_F(WorkbenchTest, AnExistingLogIsNotOverwritten) {
   write_all(folder_ / "session.toml", "precious");
-  EXPECT_NE(error_of([&] { Workbench bench(logged()); }).find("--overwrite"), std::string::npos);
+  EXPECT_NE(error_of([&] { Workbench bench(logged(), std::make_unique<Session>(logged())); }).find("--overwrite"),
+            std::string::npos);
   EXPECT_EQ(read_all(folder_ / "session.toml"), "precious");
 }
 
@@ -223,7 +224,7 @@ class Replay : public WorkbenchTest {
  protected:
   // A session in which everything happens; returns the hash it ends with.
   std::string act() {
-    Workbench bench(logged());
+    Workbench bench(logged(), std::make_unique<Session>(logged()));
     bench.frame(kWidth, kHeight);
     for (int k = 0; k < 5; ++k) key(bench, render::Key::right);
     drag(bench, 80, 60, 100, 55, render::Button::left);
@@ -274,7 +275,7 @@ TEST_F(Replay, DrawsTheSameFramesEveryTime) {
 
 TEST_F(Replay, OfASessionWithoutInputsIsTheRecording) {
   {
-    Workbench bench(logged());
+    Workbench bench(logged(), std::make_unique<Session>(logged()));
     for (int k = 0; k < 20; ++k) key(bench, render::Key::right);
     bench.finish();
   }
@@ -294,7 +295,7 @@ TEST_F(Replay, KeepsTheOptionsOfTheSession) {
   view.overrides = {{"world.gravity", "[0, -2, 0]", "--set"}};
   std::string hash;
   {
-    Workbench bench(view);
+    Workbench bench(view, std::make_unique<Session>(view));
     for (int k = 0; k < 3; ++k) key(bench, render::Key::right);
     bench.finish();
     hash = hexadecimal(sim::hash(bench.session().state()));
