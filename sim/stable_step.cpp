@@ -16,6 +16,7 @@ double stable_step(const System::Parts& parts) {
   parts.pins.mark(0, K.free());
   Eigen::VectorXd f(parts.dofs()), p(parts.dofs()), Kp(parts.dofs());
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(parts.dofs());
+  K.begin_step({parts.X, still, 0, 0});  // what terms freeze for a step, they linearise with
   K.linearise({parts.X, still, 0, 0}, 0, Definiteness::clamp, f);
   // A start with a share of every frequency, the same on every machine.
   for (Eigen::Index i = 0; i < p.size(); ++i) p[i] = std::sin(12.9898 * static_cast<double>(i + 1)) * K.free()[i];

@@ -50,10 +50,10 @@ Stretch stretch_of(const Ground& ground, std::int64_t frames) {
   return {frames / stride * stride, stride};
 }
 
-std::uint64_t case_id(const Ground& ground, const Simulation& simulation) {
+std::uint64_t case_id(const Ground& ground, std::uint64_t scene) {
   std::string text(kVersion);
-  for (const std::uint64_t number : {ground.scene.identity, simulation.identity, std::uint64_t(ground.stretch.last),
-                                     std::uint64_t(ground.stretch.stride)})
+  for (const std::uint64_t number :
+       {ground.scene.identity, scene, std::uint64_t(ground.stretch.last), std::uint64_t(ground.stretch.stride)})
     text += ' ' + std::to_string(number);
   return checksum(text);
 }

@@ -33,7 +33,8 @@ Ground make_ground(const Options& options);
 Stretch stretch_of(const Ground& ground, std::int64_t frames);
 
 // A case as the ground's stretch sees it.
-std::uint64_t case_id(const Ground& ground, const Simulation& simulation);
+// `scene`: identity of the scene with the case's settings.
+std::uint64_t case_id(const Ground& ground, std::uint64_t scene);
 
 // The trajectory in pixels: two numbers per point, origin top left.
 sim::Trajectory on_screen(const Ground& ground, const sim::Trajectory& path);

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kTight = "1e-7";  // body sizes/s
+constexpr const char* kTight = "1e-6";  // body sizes/s
 
 std::string step_text(const Document& scene, int substeps) {
   return "h=1/" + std::to_string(scene.scene.time.fps * substeps);
@@ -17,7 +17,7 @@ std::string step_text(const Document& scene, int substeps) {
 Case reference_case(const Document& scene, std::string_view integrator, int substeps) {
   Case which = time_case(scene, integrator, substeps);
   which.axis = Axis::reference;
-  return with(with(which, "tolerance 1e-7", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
+  return with(with(which, "tolerance 1e-6", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
 }
 
 bool is_number(const std::string& text, double value) {

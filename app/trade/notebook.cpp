@@ -7,11 +7,14 @@
 
 #include "app/output_file.h"
 #include "app/scene_error.h"
+#include "app/scene_file.h"
+#include "app/scene_identity.h"
 #include "app/trade/case_file.h"
 
 namespace app {
 namespace {
 
+constexpr double kLookShare = 0.02;     // of the time: a first look
 constexpr double kRepeatShare = 0.004;  // of the time: shorter runs are timed three times
 
 std::string file_name(std::uint64_t id) {
@@ -70,25 +73,25 @@ void Notebook::skip(const Case& which, const std::string& reason) {
 }
 
 const CaseRun& Notebook::run(const Case& which, double allowance) {
-  Simulation simulation;
+  const Options options = options_of(ground_.options, which);
   try {
-    simulation = build_simulation(options_of(ground_.options, which));
+    const std::uint64_t id =
+        case_id(ground_, scene_identity(load_scene(options.scene, options.settings, options.overrides)));
+    if (CaseRun* const earlier = known(id)) return *earlier;
+    if (!recall_only_.empty() || left() <= 0) {
+      CaseRun run;
+      run.which = which;
+      run.id = id;
+      run.reason = recall_only_.empty() ? "no time left" : recall_only_;
+      return add(std::move(run));
+    }
+    const Allowance allowed{std::min(allowance, left()), kRepeatShare * seconds_};
+    CaseRun run = run_case(ground_, which, build_simulation(options), allowed, interrupt_);
+    keep(run);
+    return add(told(std::move(run)));
   } catch (const SceneError& error) {
     return add(told(refused_case(which, error.what())));
   }
-  const std::uint64_t id = case_id(ground_, simulation);
-  if (CaseRun* const earlier = known(id)) return *earlier;
-  if (!recall_only_.empty() || left() <= 0) {
-    CaseRun run;
-    run.which = which;
-    run.id = id;
-    run.reason = recall_only_.empty() ? "no time left" : recall_only_;
-    return add(std::move(run));
-  }
-  CaseRun run =
-      run_case(ground_, which, simulation, {std::min(allowance, left()), kRepeatShare * seconds_}, interrupt_);
-  keep(run);
-  return add(told(std::move(run)));
 }
 
 // Says how it went.
@@ -103,7 +106,7 @@ CaseRun Notebook::told(CaseRun run) const {
 
 double Notebook::first_look(const Case& which) {
   const Simulation simulation = build_simulation(options_of(ground_.options, which));
-  const CaseRun run = run_case(ground_, which, simulation, {0, 0}, interrupt_);
+  const CaseRun run = run_case(ground_, which, simulation, {0, 0, kLookShare * seconds_}, interrupt_);
   return run.status == Status::skipped ? run.estimate : run.work.median() * ground_.seconds();
 }
 

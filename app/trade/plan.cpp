@@ -13,8 +13,8 @@ namespace app {
 namespace {
 
 // All runs on the scene's mesh against the coarser run of the reference scheme: that one, the finer (2), the second
-// scheme twice (1.5), the ladder of all schemes (about 2), and twice that, as motion is slow at first.
-constexpr double kWholeOverReference = 13;
+// scheme twice (1.5), the ladder of all schemes (about 2), and a little for motion that is slow at first.
+constexpr double kWholeOverReference = 8;
 constexpr int kDeepest = 8;
 constexpr std::int64_t kFewestFrames = 12;
 

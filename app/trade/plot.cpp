@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
 #include <map>
 
@@ -14,68 +16,108 @@
 namespace app {
 namespace {
 
+// Which error a panel shows.
+using ErrorOf = std::optional<Apart> Score::*;
+
 struct Dot {
   double seconds = 0, error = 0;
   std::string label;
 };
 
-// A name for a block of data, and its points.
 struct Series {
   std::string title, style;
   std::vector<Dot> dots;
 };
 
-double shown_error(const Score& score) {
-  if (score.total) return score.total->rms;
-  if (score.time) return score.time->rms;
-  return score.model ? score.model->rms : 0;
+constexpr double kFailed = 1;     // body sizes: no result any more
+constexpr double kMargin = 0.97;  // where failures are drawn, as a share of the height
+
+// One colour for each integrator, in every diagram [Okabe & Ito, darker yellow, and two more].
+std::string integrator_style(const std::string& name) {
+  const std::map<std::string, std::string> colours = {
+      {"backward-euler", "#d55e00"}, {"linearly-implicit", "#e69f00"}, {"bdf2", "#009e73"},
+      {"trapezoidal", "#56b4e9"},    {"implicit-midpoint", "#0072b2"}, {"sdirk2", "#cc79a7"},
+      {"tr-bdf2", "#000000"},        {"symplectic-euler", "#b8a800"},  {"central-difference", "#8b5a2b"}};
+  const auto found = colours.find(name);
+  return "linespoints lw 1.5 pt 7 ps 0.6 lc rgb '" + (found == colours.end() ? "#777777" : found->second) + "'";
 }
 
-bool is_failure(const Score& score) {
-  return score.run->status == Status::failed || (score.run->status == Status::done && !(shown_error(score) < 1));
+bool failed(const Score& score) {
+  const auto& error = score.total ? score.total : score.time;
+  return score.run->status == Status::failed || (error && !(error->rms < kFailed));
 }
 
-bool is_shown(const Score& score, double uncertainty) {
-  return score.run->status == Status::done && score.run->which.axis != Axis::reference && !is_failure(score) &&
-         shown_error(score) > uncertainty && shown_error(score) > 0;
+// A point of a panel, where it has one above what is certain.
+std::optional<Dot> dot(const Score& score, ErrorOf error, double least) {
+  const std::optional<Apart>& value = score.*error;
+  if (!value || score.run->which.axis == Axis::reference || failed(score) || !(value->rms > least)) return {};
+  return Dot{score.seconds(), value->rms, score.run->which.label};
 }
 
-std::string series_name(const Score& score) {
-  const Case& which = score.run->which;
-  if (which.axis == Axis::time) return which.settings.front().second;
-  return which.axis == Axis::mesh    ? "other meshes"
-         : which.axis == Axis::scene ? "the scene as it is"
-                                     : "other settings";
-}
-
-std::vector<Series> series_of(const Diagram& diagram) {
-  std::map<std::string, std::vector<Dot>> lines;
-  Series failures{"failures", "points pt 2 lc rgb '#c0392b'", {}}, front{"front", "lines lw 6 lc rgb '#55ddaa33'", {}};
+std::vector<Series> series_of(const Diagram& diagram, ErrorOf error, double least) {
+  std::map<std::string, Series> lines;
+  Series meshes{"other meshes", "points pt 6 ps 0.9 lc rgb '#555555'", {}},
+      rest{"other settings", "points pt 2 ps 0.5 lc rgb '#999999'", {}},
+      own{"the scene as it is", "points pt 9 ps 1.4 lc rgb '#cc0000'", {}},
+      advised{"advice", "points pt 6 ps 2.4 lw 2 lc rgb '#cc0000'", {}};
   for (const Score* score : diagram.scores) {
-    const Dot dot{score->seconds(), shown_error(*score), score->run->which.label};
-    if (is_failure(*score) && score->seconds() > 0)
-      failures.dots.push_back({dot.seconds, 1, dot.label});
-    else if (is_shown(*score, diagram.uncertainty))
-      lines[series_name(*score)].push_back(dot);
+    const auto point = dot(*score, error, least);
+    if (!point) continue;
+    const Case& which = score->run->which;
+    if (score == diagram.advised) advised.dots.push_back(*point);
+    if (which.axis == Axis::time) {
+      const std::string name = which.settings.front().second;
+      lines[name].title = name;
+      lines[name].style = integrator_style(name);
+      lines[name].dots.push_back(*point);
+    } else {
+      (which.axis == Axis::mesh ? meshes : which.axis == Axis::scene ? own : rest).dots.push_back(*point);
+    }
   }
+  std::vector<Series> all;
+  for (auto& [name, series] : lines) {
+    std::ranges::sort(series.dots, {}, &Dot::seconds);
+    all.push_back(std::move(series));
+  }
+  for (Series* const series : {&meshes, &rest, &own, &advised}) all.push_back(std::move(*series));
+  return all;
+}
+
+Series front_series(const Diagram& diagram, ErrorOf error, double least, const std::string& title,
+                    const std::string& style) {
+  Series front{title, style, {}};
   for (const Score* score : front_of(diagram.scores))
-    if (is_shown(*score, diagram.uncertainty))
-      front.dots.push_back({score->seconds(), shown_error(*score), score->run->which.label});
-  std::vector<Series> all = {front};
-  int number = 0;
-  for (auto& [name, dots] : lines) {
-    std::ranges::sort(dots, {}, &Dot::seconds);
-    const bool line = name.find(' ') == std::string::npos;
-    all.push_back({name, std::string(line ? "linespoints" : "points") + " lw 1.5 ps 0.8 lt " + std::to_string(++number),
-                   std::move(dots)});
+    if (const auto point = dot(*score, error, least)) front.dots.push_back(*point);
+  return front;
+}
+
+Series failures(const Diagram& diagram) {
+  Series series{"failed", "points pt 2 ps 1 lw 2 lc rgb '#cc0000' axes x1y2", {}};
+  for (const Score* score : diagram.scores)
+    if (failed(*score) && score->seconds() > 0)
+      series.dots.push_back({score->seconds(), kMargin, score->run->which.label});
+  return series;
+}
+
+std::vector<Series> panel(const std::vector<Diagram>& diagrams, ErrorOf error, bool with_front) {
+  const auto least = [&](const Diagram& d) { return error == &Score::time ? d.uncertainty : d.total_uncertainty; };
+  if (diagrams.size() > 1) {
+    std::vector<Series> fronts;
+    for (const Diagram& d : diagrams)
+      fronts.push_back(front_series(d, error, least(d), d.name, "linespoints lw 2 pt 7 ps 0.7"));
+    return fronts;
   }
-  all.push_back(failures);
+  const Diagram& only = diagrams.front();
+  std::vector<Series> all;
+  if (with_front) all.push_back(front_series(only, error, least(only), "front", "lines lw 7 lc rgb '#66ddaa33'"));
+  for (Series& series : series_of(only, error, least(only))) all.push_back(std::move(series));
+  all.push_back(failures(only));
   return all;
 }
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) result.append(c == '\'' ? 2 : 1, c);
+  for (const char c : text) result.append(c == '\'' ? 2 : 1, c == '\n' ? ' ' : c);
   return result;
 }
 
@@ -90,33 +132,43 @@ std::string data_block(const std::string& name, const Series& series) {
   return text + "EOD\n";
 }
 
+// A panel as gnuplot reads it; its data go before everything.
+std::string plot_command(const std::vector<Series>& all, const std::string& prefix, std::string& data) {
+  std::string plot;
+  int block = 0;
+  for (const Series& series : all) {
+    if (series.dots.empty()) continue;
+    const std::string name = "$" + prefix + std::to_string(++block);
+    data += data_block(name, series);
+    plot += (plot.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 with " + series.style + " title '" +
+            escaped(series.title) + "'";
+  }
+  return plot;
+}
+
 }  // namespace
 
 std::string plot_script(const std::vector<Diagram>& diagrams, const std::filesystem::path& base) {
-  std::string data, plot, title;
-  int block = 0;
-  for (const Diagram& diagram : diagrams) {
-    title += (title.empty() ? "" : " / ") + diagram.name;
-    for (const Series& series : series_of(diagram)) {
-      if (series.dots.empty()) continue;
-      const std::string name = "$data" + std::to_string(++block);
-      data += data_block(name, series);
-      const std::string prefix = diagrams.size() > 1 ? diagram.name + ": " : "";
-      plot += std::string(plot.empty() ? "" : ", \\\n  ") + name + " using 1:2 with " + series.style + " title '" +
-              escaped(prefix + series.title) + "'";
-    }
-  }
-  if (plot.empty()) return "# nothing was measured that could be drawn\n";
+  std::string data, title;
+  for (const Diagram& diagram : diagrams) title += (title.empty() ? "" : " / ") + diagram.name;
+  const std::string total = plot_command(panel(diagrams, &Score::total, true), "total", data),
+                    time = plot_command(panel(diagrams, &Score::time, total.empty()), "time", data);
+  if (time.empty() && total.empty()) return "# nothing was measured that could be drawn\n";
+  const int panels = (time.empty() ? 0 : 1) + (total.empty() ? 0 : 1);
   const std::string settings =
-      "set logscale xy\nset format y '10^{%T}'\nset xlabel 'wall time per simulated second [s]'\n"
-      "set ylabel 'error [body size, rms]'\nset grid\nset key outside right noenhanced\nset title '" +
-      escaped(title) + "' noenhanced\nset pointsize 0.8\n";
-  const auto picture = [&](const std::string& terminal, const std::string& extension) {
-    return "set terminal " + terminal + "\nset output '" + escaped(base.string() + extension) + "'\nplot " + plot +
-           "\n";
+      "set logscale xy\nset format y '10^{%T}'\nset xlabel 'wall time per simulated second [s]'\nset grid\n"
+      "set y2range [0:1]\nset key below noenhanced samplen 2 font ',10'\n";
+  std::string drawing =
+      "set multiplot layout 1," + std::to_string(panels) + " title '" + escaped(title) + "' noenhanced\n";
+  if (!time.empty()) drawing += "set ylabel 'time error on the mesh of the scene [body size, rms]'\n" + time + "\n";
+  if (!total.empty()) drawing += "set ylabel 'total error, against the finest mesh [body size, rms]'\n" + total + "\n";
+  drawing += "unset multiplot\n";
+  const auto picture = [&](const std::string& terminal, int width, int height, const std::string& extension) {
+    return "set terminal " + terminal + " size " + std::to_string(width * panels) + "," + std::to_string(height) +
+           "\nset output '" + escaped(base.string() + extension) + "'\n" + drawing;
   };
-  return data + settings + picture("svg size 900,560 font 'sans,13' background 'white'", ".svg") +
-         picture("pngcairo size 1350,840 font 'sans,14'", ".png");
+  return data + settings + picture("svg font 'sans,12' background 'white'", 560, 620, ".svg") +
+         picture("pngcairo font 'sans,12'", 800, 860, ".png");
 }
 
 bool run_gnuplot(const std::filesystem::path& script) {

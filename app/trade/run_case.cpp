@@ -9,7 +9,6 @@ namespace app {
 namespace {
 
 constexpr int kRepeats = 3;
-constexpr double kPatience = 0.3;  // s of a run before its length is judged
 
 // One pass over the stretch.
 class Pass {
@@ -23,7 +22,7 @@ class Pass {
         steps_(ground.stretch.last * system_.steps_per_frame()) {}
 
   // Fills in what the run shows. With a sampler the path is kept.
-  void go(double allowance, const sim::Sampler* sampler, CaseRun& run) {
+  void go(const Allowance& allowance, const sim::Sampler* sampler, CaseRun& run) {
     const Stopwatch watch;
     while (state_.step < steps_) {
       if (interrupt_.requested()) throw Interrupted{};
@@ -33,7 +32,7 @@ class Pass {
       if (sampler && state_.step % (ground_.stretch.stride * system_.steps_per_frame()) == 0)
         sim::add_frame(system_, state_, *sampler, run.path);
       const double so_far = watch.seconds(), whole = so_far / double(state_.step) * double(steps_);
-      if (so_far > kPatience && whole > allowance) return give_up(whole, run);
+      if (so_far > allowance.patience && whole > allowance.run) return give_up(whole, run);
     }
     run.status = Status::done;
     per_simulated_second(run);
@@ -86,7 +85,7 @@ class Pass {
 };
 
 void describe(const Ground& ground, const Simulation& simulation, CaseRun& run) {
-  run.id = case_id(ground, simulation);
+  run.id = case_id(ground, simulation.identity);
   run.step = simulation.system->step_seconds();
   run.order = sim::find_scheme(simulation.document.scene.time.integrator)->order;
   run.dofs = simulation.system->counts().dofs;
@@ -103,7 +102,7 @@ CaseRun run_case(const Ground& ground, const Case& which, const Simulation& simu
   try {
     const sim::Sampler sampler(*simulation.system, ground.points);
     Pass first(ground, simulation, interrupt);
-    first.go(allowance.run, &sampler, run);
+    first.go(allowance, &sampler, run);
     const bool repeat = run.status == Status::done && first.seconds() < allowance.repeat;
     for (int k = 1; repeat && k < kRepeats; ++k) time_again(ground, simulation, run, interrupt);
   } catch (const sim::InputError& error) {
@@ -123,7 +122,7 @@ CaseRun refused_case(const Case& which, const std::string& reason) {
 
 void time_again(const Ground& ground, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt) {
   CaseRun again;
-  Pass(ground, simulation, interrupt).go(1e12, nullptr, again);
+  Pass(ground, simulation, interrupt).go({1e12}, nullptr, again);
   if (!again.work.seconds.empty()) run.work.seconds.push_back(again.work.seconds.front());
 }
 

@@ -10,8 +10,9 @@ namespace app {
 struct Interrupted {};
 
 struct Allowance {
-  double run = 0;     // s: a run that would take longer is given up, as skipped, once that is clear
-  double repeat = 0;  // s: runs that take less than this are repeated and timed three times
+  double run = 0;         // s: a run that would take longer is given up, as skipped, once that is clear
+  double repeat = 0;      // s: runs that take less than this are repeated and timed three times
+  double patience = 0.3;  // s of a run before its length is judged
 };
 
 // The simulation is the ground's scene with the case's settings. Throws Interrupted; numerical failures are results.

@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 // Shares of the time that is left when a phase begins.
-constexpr double kTimeShare = 0.55, kMeshReferenceShare = 0.5, kMeshShare = 0.4, kRestShare = 0.25;
+constexpr double kTimeShare = 0.6, kMeshReferenceShare = 0.5, kMeshShare = 0.4, kRestShare = 0.25;
 constexpr int kMostCombinations = 6;
 constexpr double kGrowthOfWork = 1.2;  // work goes as unknowns to this power, at the least
 
@@ -100,7 +100,7 @@ bool Search::find_references() {
   for (;; plan_.depth /= 2) {
     std::vector<const CaseRun*> runs;
     for (const Case& which : reference_cases(scene(), plan_.depth)) {
-      runs.push_back(&notebook_.run(which, notebook_.left()));
+      runs.push_back(&notebook_.run(which, runs.empty() ? kTimeShare * notebook_.left() : notebook_.left()));
       if (runs.back()->status != Status::done) break;
     }
     if (runs.size() == 4 && runs.back()->status == Status::done) {

@@ -32,7 +32,7 @@ std::string row(const Score& score, bool on_front, const References& references)
   const CaseRun& run = *score.run;
   const std::optional<Apart>& whole = score.total ? score.total : score.time ? score.time : score.model;
   char line[400];
-  std::snprintf(line, sizeof line, "%c %-46s %9s %9s %9s %8.3g %9.3g %9.3g %8.0f %7.0f %8.0f%s\n", on_front ? '*' : ' ',
+  std::snprintf(line, sizeof line, "%c %-60s %9s %9s %9s %8.3g %9.3g %9.3g %8.0f %7.0f %8.0f%s\n", on_front ? '*' : ' ',
                 run.which.label.c_str(), time_error(score, references).c_str(), in_percent(score.mesh).c_str(),
                 in_percent(score.total).c_str(), whole ? whole->pixels : 0.0, run.work.median(), run.work.least(),
                 run.work.force_evaluations, run.work.factorisations, run.work.linear,
@@ -118,10 +118,10 @@ std::string table_text(const std::vector<const Score*>& scores, const References
   for (const Score* score : scores) (score->run->status == Status::done ? done : other).push_back(score);
   std::ranges::stable_sort(done, {}, [](const Score* s) { return s->seconds(); });
   char head[300];
-  std::snprintf(head, sizeof head, "  %-46s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n", "", "time", "mesh", "total", "",
+  std::snprintf(head, sizeof head, "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n", "", "time", "mesh", "total", "",
                 "median", "least", "force", "factor-", "linear");
   std::string text = head;
-  std::snprintf(head, sizeof head, "  %-46s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n",
+  std::snprintf(head, sizeof head, "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n",
                 "per simulated second; * = on the front", "error %", "error %", "error %", "pixels", "s", "s", "evals",
                 "isations", "its");
   text += head;

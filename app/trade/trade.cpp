@@ -126,7 +126,8 @@ void Trade::write_csv() {
 Diagram Trade::diagram() {
   const Document& document = ground_.scene.document;
   return {document.title.empty() ? options_.scene.stem().string() : document.title, search_.scores(),
-          scorer_.references().check.uncertainty};
+          scorer_.references().check.uncertainty, scorer_.references().total_uncertainty.rms,
+          choose(search_.scores(), goal_)};
 }
 
 void draw(const std::vector<Diagram>& diagrams, const std::filesystem::path& base, bool quiet) {

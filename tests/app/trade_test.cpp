@@ -219,7 +219,7 @@ TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
   const auto id = [&](const std::string& key, const std::string& value) {
     Options changed = options();
     if (!key.empty()) changed.overrides.push_back({key, value, key});
-    return case_id(ground, build_simulation(changed));
+    return case_id(ground, build_simulation(changed).identity);
   };
   const std::uint64_t same = id("", "");
   EXPECT_EQ(id("title", "other"), same);
@@ -231,7 +231,7 @@ TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
     EXPECT_NE(id(key, value), same) << key;
   Ground shorter = make_ground(options());
   shorter.stretch = stretch_of(shorter, 6);
-  EXPECT_NE(case_id(shorter, shorter.scene), same);
+  EXPECT_NE(case_id(shorter, shorter.scene.identity), same);
 }
 
 TEST_F(TradeTest, RunsAreReadBackAsTheyWere) {

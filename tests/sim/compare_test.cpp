@@ -20,6 +20,7 @@ Scene of_mesh(const Mesh& mesh) {
   Body body;
   body.name = "body";
   body.mesh = mesh;
+  body.materials = {MaterialSpec{}};
   scene.bodies = {body};
   return scene;
 }
