@@ -106,7 +106,7 @@ TEST(Stress, TableAndCsvSayTheSame) {
 TEST(Stress, TheCommandLeavesItsCsvAndOverwritesNone) {
   const TemporaryFolder folder;
   Options options;
-  options.command = Command::stress;
+  options.command = "stress";
   options.out = folder / "s";
   options.quick = options.quiet = true;
   options.threads = 2;
