@@ -50,9 +50,9 @@ struct Surface {
   std::vector<std::uint32_t> edges;      // pairs of vertices: element edges, drawn when Look::wireframe is set
   std::vector<std::uint32_t> outline;    // pairs of vertices: the boundary of a flat body
   Finish finish = Finish::rubber;
-  bool shadow = true;                    // casts shadows, and lies in those of others
-  bool round = false;                    // drawn curved between smooth neighbours, where triangles are few
-  bool flat = false;                     // a 2D body: drawn in its plain colour with its outline, without light
+  bool shadow = true;  // casts shadows, and lies in those of others
+  bool round = false;  // drawn curved between smooth neighbours, where triangles are few
+  bool flat = false;   // a 2D body: drawn in its plain colour with its outline, without light
 };
 
 struct Ground {
