@@ -6,6 +6,7 @@
 #include "app/session/session_file.h"
 #include "app/state_file.h"
 #include "app/window/camera_moves.h"
+#include "render/view.h"
 #include "tests/app/session_scene.h"
 
 namespace app {
