@@ -172,6 +172,8 @@ Image Canvas::read() const {
 void Canvas::copy_to_default(int x) const {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.name());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_.ClearColor(0, 0, 0, 1);  // what stands beside the picture is blended, and opaque
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.BlitFramebuffer(0, 0, width_, height_, x, 0, x + width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
