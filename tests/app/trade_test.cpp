@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/scene_file.h"
+#include "app/scene_text.h"
 #include "app/trade/case_file.h"
 #include "app/trade/features.h"
 #include "app/trade/table.h"
@@ -263,20 +264,22 @@ TEST_F(TradeTest, RefusesWhatCannotBeTraded) {
 
 TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
   const std::string text = std::string(kPlate) +
-                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nplane = { point = [0, -9], "
-                           "normal = [0, 1] }\nfriction = 0.3\n[[obstacle]]\nsphere = [[9, 9], 1]\n";
+                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nsphere = [[9, 9], 1]\n"
+                           "[[obstacle]]\nplane = { point = [0, -9], normal = [0, 1] }\nfriction = 0.3\n";
   Options with = options(text.c_str());
   with.trade.ablate = true;
   const Document scene = load_scene(with.scene);
   std::vector<std::string> names;
   for (const Case& which : without_features(scene)) names.push_back(which.label);
+  EXPECT_EQ(list_toml(scene, "obstacle", 1).find("plane"), std::string::npos);  // in the order of the scene
+  EXPECT_EQ(list_toml(scene, "obstacle", 0).find("sphere"), std::string::npos);
   const std::vector<std::string> expected = {"plate: damping beta",
                                              "plate: consistent mass (lumped instead)",
                                              "plate: tractions",
                                              "plate: nonlinear material (linear instead)",
                                              "obstacle 0",
-                                             "obstacle 0: friction",
                                              "obstacle 1",
+                                             "obstacle 1: friction",
                                              "Newton's method (linearly-implicit instead)",
                                              "definiteness fix (exact tangent instead)",
                                              "tolerance (1e-2 instead)"};
