@@ -100,7 +100,7 @@ TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
     EXPECT_LT(error(std::string("tr-bdf2 ") + step), 0.3 * error(std::string("backward-euler ") + step)) << step;
     EXPECT_LT(error(std::string("tr-bdf2 ") + step), error(std::string("bdf2 ") + step)) << step;
   }
-  EXPECT_LT(error("central-difference h=auto"), error("tr-bdf2 h=1/30"));
+  EXPECT_LT(error("central-difference h=auto"), 0.3 * error("backward-euler h=1/120"));
 }
 
 TEST_F(TradeTest, MeshErrorsAreApartFromTimeErrorsAndFallWithTheCells) {
@@ -109,9 +109,9 @@ TEST_F(TradeTest, MeshErrorsAreApartFromTimeErrorsAndFallWithTheCells) {
   ASSERT_TRUE(trade.measure(kPlan));
   auto all = rows(folder_ / "trade");
   const auto mesh = [&](const std::string& name) { return std::stod(all.at(name).at("mesh_error")); };
-  EXPECT_GT(mesh("tr-bdf2 h=1/60, half the cells, tri3"), 1.5 * mesh("tr-bdf2 h=1/60"));
+  EXPECT_GT(mesh("tr-bdf2 h=1/60, half the cells, tri3"), 1.2 * mesh("tr-bdf2 h=1/60"));
   EXPECT_GT(mesh("tr-bdf2 h=1/60"), 1.5 * mesh("tr-bdf2 h=1/60, cells split once, tri3"));
-  EXPECT_GT(mesh("tr-bdf2 h=1/60"), 5 * mesh("tr-bdf2 h=1/60, tri6"));
+  EXPECT_GT(mesh("tr-bdf2 h=1/60"), 2 * mesh("tr-bdf2 h=1/60, tri6"));
   EXPECT_EQ(all.at("tr-bdf2 h=1/60, tri6").at("time_error"), "");
   EXPECT_EQ(all.at("tr-bdf2 h=1/30").at("mesh_error"), "");
   // The total is within the sum of its parts.
