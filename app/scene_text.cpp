@@ -20,6 +20,14 @@ bool is_index(std::string_view name) {
   return name.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+// Where a new entry goes: those of arrays in the order of their numbers, others last.
+std::vector<Node>::iterator place_of(std::vector<Node>& entries, std::string_view name) {
+  if (!is_index(name)) return entries.end();
+  return std::ranges::find_if(entries, [&](const Node& entry) {
+    return entry.name.size() != name.size() ? entry.name.size() > name.size() : entry.name > name;
+  });
+}
+
 // Adds the value at the path, with the tables and arrays on the way. Entries of arrays come in order.
 void put(Node& root, std::string_view path, std::string text) {
   Node* node = &root;
@@ -27,7 +35,8 @@ void put(Node& root, std::string_view path, std::string text) {
     const std::string_view name = path.substr(0, path.find('.'));
     path.remove_prefix(std::min(path.size(), name.size() + 1));
     auto found = std::ranges::find(node->entries, name, &Node::name);
-    if (found == node->entries.end()) found = node->entries.insert(found, {.name = std::string(name)});
+    if (found == node->entries.end())
+      found = node->entries.insert(place_of(node->entries, name), {.name = std::string(name)});
     node = &*found;
     if (path.empty()) break;
     node->type = is_index(path.substr(0, path.find('.'))) ? Node::Type::array : Node::Type::table;

@@ -23,7 +23,7 @@ constexpr std::int64_t kFewestFrames = 12;
 Plan affordable_plan(double seconds, double reference_seconds, int tried, std::int64_t frames) {
   const double at_depth_1 = kWholeOverReference * reference_seconds / tried;
   Plan plan{kDeepest, frames};
-  while (plan.depth > 2 && at_depth_1 * plan.depth > seconds) plan.depth /= 2;
+  while (plan.depth > 1 && at_depth_1 * plan.depth > seconds) plan.depth /= 2;
   const double share = seconds / (at_depth_1 * plan.depth);
   if (share >= 1) return plan;
   plan.frames = std::clamp(static_cast<std::int64_t>(share * double(frames)), std::min(kFewestFrames, frames), frames);

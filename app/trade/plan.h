@@ -14,8 +14,9 @@ struct Plan {
   std::int64_t frames = 0;  // of the scene that are compared
 };
 
-// The deepest plan that fits into so many seconds, given what a reference run with depth `tried` over the whole scene
-// would take.
+// The deepest plan that fits into so many seconds; only when not even the shallowest does, fewer frames: errors grow
+// with time, so what is measured over a part says little of the whole. Given what a reference run with depth `tried`
+// over the whole scene would take.
 Plan affordable_plan(double seconds, double reference_seconds, int tried, std::int64_t frames);
 
 // The plan of an earlier trade of the same scene in the same time.

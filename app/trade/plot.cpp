@@ -157,7 +157,7 @@ std::string plot_script(const std::vector<Diagram>& diagrams, const std::filesys
   const int panels = (time.empty() ? 0 : 1) + (total.empty() ? 0 : 1);
   const std::string settings =
       "set logscale xy\nset format y '10^{%T}'\nset xlabel 'wall time per simulated second [s]'\nset grid\n"
-      "set y2range [0:1]\nset key below noenhanced samplen 2 font ',10'\n";
+      "set y2range [0:1]\nset bmargin 9\nset key below noenhanced samplen 2 font ',10'\n";
   std::string drawing =
       "set multiplot layout 1," + std::to_string(panels) + " title '" + escaped(title) + "' noenhanced\n";
   if (!time.empty()) drawing += "set ylabel 'time error on the mesh of the scene [body size, rms]'\n" + time + "\n";

@@ -95,7 +95,12 @@ void Scorer::judge_against_mesh(Score& score) const {
   if (&run == references_.mesh) return;
   score.total = apart(run, *references_.mesh);
   if (in_mesh_study(run.which, references_.mesh_time)) score.mesh = score.total;
-  score.bound = sum(*score.total, references_.total_uncertainty);
+  Apart largest = *score.total;
+  for (const auto& part : {score.time, score.model})
+    if (part)
+      largest = {std::max(largest.rms, part->rms), std::max(largest.max, part->max),
+                 std::max(largest.pixels, part->pixels)};
+  score.bound = sum(largest, references_.total_uncertainty);
 }
 
 }  // namespace app

@@ -36,10 +36,11 @@ struct Score {
   double centre = 0, mean_energy = 0;           // centre of mass, energy on average: statistics for chaotic scenes
   bool resolved = false;  // the smallest error known is ten times the reference's uncertainty or more
 
-  // What is certain of the error of the run: total or, where no mesh error is known, time error, with the uncertainty
-  // of the reference. Infinite where nothing is known.
+  // What is certain of the error of the run: the largest of total, time and model error (a total that is smaller than
+  // one of its parts is luck), with the uncertainty of the reference. Infinite where nothing is known.
   Apart bound;
-  double seconds() const { return run->work.median(); }
+  // By which runs are ranked: the least is what disturbs on the machine the least.
+  double seconds() const { return run->work.least(); }
 };
 
 class Scorer {

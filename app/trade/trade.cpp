@@ -160,10 +160,14 @@ std::string Trade::advice_text(const Advice& advice) {
   if (!meets(chosen, goal_)) text += "Nothing that was measured is within it; this comes nearest. ";
   text += "Predicted: an error of " + error_text(*whole_error(chosen)) + ", at most " + percent(chosen.bound.rms) +
           " with the uncertainty of the reference" + (chosen.total ? " and of the finest mesh" : "") + ", and " +
-          formatted("%.3g", chosen.seconds()) + " s per simulated second. A fresh run found " +
-          error_text(*whole_error(advice.found)) + " and " + formatted("%.3g", advice.found.seconds()) + " s. ";
+          formatted("%.3g", chosen.run->work.median()) + " s per simulated second. A fresh run found " +
+          error_text(*whole_error(advice.found)) + " and " + formatted("%.3g", advice.fresh.work.median()) + " s. ";
   if (whole_error(own))
-    text += "The scene as it is: " + error_text(*whole_error(own)) + ", " + formatted("%.3g", own.seconds()) + " s. ";
+    text += "The scene as it is: " + error_text(*whole_error(own)) + ", " + formatted("%.3g", own.run->work.median()) +
+            " s. ";
+  if (ground_.shortened())
+    text += "All this holds for the first " + formatted("%.3g", ground_.seconds()) +
+            " s, not for the whole scene: errors grow with time. ";
   if (!chosen.total) text += "The error is that of time alone: no mesh error is known. ";
   return text + "To apply it: ritz record " + options_.scene.string() + " --settings " +
          (folder_ / "advice.toml").string() + "\n";

