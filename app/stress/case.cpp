@@ -79,7 +79,7 @@ std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::ve
       if (!has_meaning(subject, extreme) || !is_in_matrix(subject, extreme)) continue;
       if (choice.quick && !is_quick(subject, extreme)) continue;
       if (!choice.only.empty() && fnmatch(("*" + choice.only + "*").c_str(), c.name().c_str(), 0) != 0) continue;
-      c.steps = step_count(c.scene());
+      c.steps = step_count(c.scene()) * (extreme.loaded ? 4 : 1);
       for (int k = 0; k < choice.seeds; ++k, ++c.seed) cases.push_back(c);
     }
   return cases;

@@ -28,6 +28,7 @@ class Exactness {
     if (wait_ > 0) --wait_;
     return exact_ ? Definiteness::none : fix_;
   }
+  bool exact() const { return exact_ && fix_ != Definiteness::none; }
   void look(bool good, double residual) {
     slow_ = good && residual > slow * last_;
     if (exact_ && !good) {
@@ -207,7 +208,7 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
       report.residual = std::max(report.residual,
                                  dx_.segment(node * parts_.D, parts_.D).norm() * per_second / parts_.node_size[node]);
     if (stage.one_iteration || (a == 1 && report.residual <= parts_.solver.tolerance)) return true;
-    if (a == 0) break;
+    if (a == 0 && !exactness.exact()) break;
     exactness.look(a == 1 && report.factorisations <= factors + 1, report.residual);
   }
   report.converged = false;
