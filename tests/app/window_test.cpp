@@ -1,0 +1,261 @@
+// `ritz view` in a real window, on a display of its own (Xvfb), driven by real key and mouse events (xdotool).
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+#include <sstream>
+#include <thread>
+
+#include "app/hexadecimal.h"
+#include "app/session/session_file.h"
+#include "render/compare.h"
+#include "render/png.h"
+#include "tests/app/session_scene.h"
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A program that runs until it is waited for.
+class Process {
+ public:
+  Process(std::vector<std::string> arguments, const std::string& output, const std::string& display) {
+    pid_ = fork();
+    if (pid_ != 0) return;
+    const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    if (display.empty()) {
+      unsetenv("DISPLAY");
+    } else {
+      setenv("DISPLAY", display.c_str(), 1);
+    }
+    unsetenv("WAYLAND_DISPLAY");
+    std::vector<char*> list;
+    for (std::string& argument : arguments) list.push_back(argument.data());
+    list.push_back(nullptr);
+    execvp(list[0], list.data());
+    _exit(127);
+  }
+  ~Process() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  // Its exit code; -1 when it did not end by itself in time.
+  int wait(std::chrono::milliseconds most) {
+    for (auto waited = 0ms; waited <= most; waited += 20ms) {
+      int status = 0;
+      if (waitpid(pid_, &status, WNOHANG) == pid_) {
+        pid_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+      }
+      std::this_thread::sleep_for(20ms);
+    }
+    return -1;
+  }
+  void signal(int number) const { kill(pid_, number); }
+  bool runs() { return waitpid(pid_, nullptr, WNOHANG) == 0; }
+  pid_t pid() const { return pid_; }
+
+ private:
+  pid_t pid_ = -1;
+};
+
+bool there_is(const std::string& program) {
+  std::istringstream folders(std::getenv("PATH") != nullptr ? std::getenv("PATH") : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+const std::string kRitz = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ritz";
+
+class WindowTest : public SessionScene {
+ protected:
+  void SetUp() override {
+    if (!there_is("Xvfb") || !there_is("xdotool")) GTEST_SKIP() << "Xvfb and xdotool are not installed: tests/run does";
+    for (int number = 91; number < 130 && !display_; ++number) {
+      if (std::filesystem::exists("/tmp/.X11-unix/X" + std::to_string(number))) continue;
+      name_ = ":" + std::to_string(number);
+      display_ = std::make_unique<Process>(
+          std::vector<std::string>{"Xvfb", name_, "-screen", "0", "800x600x24", "-nolisten", "tcp"}, log("xvfb"), "");
+      if (!eventually([&] { return std::filesystem::exists("/tmp/.X11-unix/X" + std::to_string(number)); }) ||
+          !display_->runs()) {
+        display_ = nullptr;  // taken by another test at the same moment
+      }
+    }
+    ASSERT_TRUE(display_) << read_all(log("xvfb"));
+  }
+
+  static bool eventually(const std::function<bool()>& holds, std::chrono::milliseconds most = 10s) {
+    for (auto waited = 0ms; waited < most; waited += 20ms) {
+      if (holds()) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+  std::string log(const std::string& name) const { return (folder_ / (name + ".log")).string(); }
+
+  std::unique_ptr<Process> view(std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {kRitz,
+                                          "view",
+                                          (folder_ / "beam.toml").string(),
+                                          "--size",
+                                          "600x400",
+                                          "--log",
+                                          (folder_ / "session.toml").string(),
+                                          "-o",
+                                          folder_.path().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    auto ritz = std::make_unique<Process>(arguments, log("ritz"), name_);
+    // Keys go to the window under the mouse; the first screenshot tells that it is drawn.
+    EXPECT_TRUE(eventually([&] {
+      tool("mousemove 450 200 key ctrl+p");
+      std::this_thread::sleep_for(200ms);
+      return std::filesystem::exists(folder_ / "beam-1.png");
+    })) << read_all(log("ritz"));
+    return ritz;
+  }
+  void tool(const std::string& words) const {
+    std::vector<std::string> arguments = {"xdotool"};
+    std::istringstream text(words);
+    for (std::string word; text >> word;) arguments.push_back(word);
+    EXPECT_EQ(Process(arguments, log("xdotool"), name_).wait(5s), 0) << words << ": " << read_all(log("xdotool"));
+    std::this_thread::sleep_for(60ms);
+  }
+  // What the log says was done, in order.
+  std::vector<std::string> done() const {
+    std::istringstream text(read_all(folder_ / "session.toml"));
+    std::vector<std::string> words;
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with("do = ")) words.push_back(line.substr(6, line.size() - 7));
+    }
+    return words;
+  }
+  render::Image screenshot(int number) const {
+    const std::filesystem::path file = folder_ / ("beam-" + std::to_string(number) + ".png");
+    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << file;
+    return render::decode_png(read_all(file));
+  }
+
+  std::string name_;
+  std::unique_ptr<Process> display_;
+};
+
+TEST_F(WindowTest, IsDrivenByKeysAndMouseAndClosedCleanly) {
+  const auto ritz = view();
+  for (int k = 0; k < 3; ++k) tool("key Right");
+  tool("key Left");
+  tool("key w");
+  tool("mousemove 450 200 mousedown 1");
+  tool("mousemove 470 210");
+  tool("mousemove 490 215");
+  tool("mouseup 1");
+  tool("mousemove 450 200 mousedown 3");
+  tool("mousemove 440 220");
+  tool("mouseup 3 click 4");
+  tool("key ctrl+p");
+  const render::Image last = screenshot(2);
+  tool("key ctrl+q");
+  EXPECT_EQ(ritz->wait(10s), 0) << read_all(log("ritz"));
+  const std::vector<std::string> what = done();
+  EXPECT_EQ(std::ranges::count(what, "back"), 1);
+  EXPECT_EQ(std::ranges::count(what, "set"), 1);
+  EXPECT_GE(std::ranges::count(what, "camera"), 4) << "orbit, pan, zoom";
+  const SessionFile session = read_session(folder_ / "session.toml");
+  EXPECT_EQ(session.steps, 3);
+  EXPECT_FALSE(session.state_hash.empty());
+  // The picture in the window is the picture that is recorded: the screenshot, right of the panel, is a frame of the
+  // replay at that size.
+  ASSERT_EQ(last.width, 600);
+  ASSERT_EQ(last.height, 400);
+  EXPECT_GT(render::compare(last, screenshot(1), 40).share, 0.02) << "something has changed";
+}
+
+TEST_F(WindowTest, PlaysPullsAndIsReplayedToTheSameState) {
+  const auto ritz = view();
+  tool("key space");
+  std::this_thread::sleep_for(400ms);
+  tool("keydown ctrl mousemove 450 200 mousedown 1");
+  for (const char* to : {"455 180", "460 160", "465 150"}) tool(std::string("mousemove ") + to);
+  std::this_thread::sleep_for(200ms);
+  tool("mouseup 1 keyup ctrl");
+  tool("key space");
+  tool("key ctrl+q");
+  ASSERT_EQ(ritz->wait(10s), 0) << read_all(log("ritz"));
+  const SessionFile session = read_session(folder_ / "session.toml");
+  EXPECT_GT(session.steps, 5);
+  Process replay({kRitz, "record", (folder_ / "beam.toml").string(), "--replay", (folder_ / "session.toml").string(),
+                  "-o", (folder_ / "replay").string(), "--size", "64x48"},
+                 log("replay"), "");
+  ASSERT_EQ(replay.wait(60s), 0) << read_all(log("replay"));
+  EXPECT_NE(read_all(folder_ / "replay/run.json").find(session.state_hash), std::string::npos);
+  EXPECT_EQ(read_all(log("replay")).find("note: the session ended"), std::string::npos);
+}
+
+TEST_F(WindowTest, ShowsWhatIsRecorded) {
+  const auto ritz = view();
+  for (int k = 0; k < 4; ++k) tool("key Right");
+  tool("key Tab");
+  tool("key ctrl+p");
+  const render::Image seen = screenshot(2);
+  tool("key ctrl+q");
+  ASSERT_EQ(ritz->wait(10s), 0);
+  Process record({kRitz, "record", (folder_ / "beam.toml").string(), "-o", (folder_ / "run").string(), "--size",
+                  "600x400", "--seconds", "0.1"},
+                 log("record"), "");
+  ASSERT_EQ(record.wait(60s), 0) << read_all(log("record"));
+  const render::Image recorded = render::decode_png(read_all(folder_ / "run/frames/frame_00002.png"));
+  const render::Difference difference = render::compare(recorded, seen, 8);
+  EXPECT_LT(difference.share, 0.001) << "largest difference " << difference.largest;
+}
+
+TEST_F(WindowTest, EndsWithTheLogWholeOnCtrlC) {
+  const auto ritz = view();
+  tool("key Right");
+  ritz->signal(SIGINT);
+  EXPECT_EQ(ritz->wait(10s), 0) << read_all(log("ritz"));
+  EXPECT_EQ(read_session(folder_ / "session.toml").steps, 1);
+}
+
+TEST_F(WindowTest, MemoryDoesNotGrow) {
+  const auto ritz = view();
+  const auto resident = [&] {  // kB
+    std::istringstream text(read_all("/proc/" + std::to_string(ritz->pid()) + "/status"));
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with("VmRSS:")) return std::stol(line.substr(6));
+    }
+    return 0L;
+  };
+  tool("key space");
+  std::this_thread::sleep_for(4s);  // plots and history fill
+  const long before = resident();
+  ASSERT_GT(before, 0);
+  std::this_thread::sleep_for(4s);
+  EXPECT_LT(resident() - before, 4000) << before;
+  tool("key ctrl+q");
+  EXPECT_EQ(ritz->wait(10s), 0);
+}
+
+TEST_F(SessionScene, WithoutADisplayOneLineNamesRecord) {
+  Process ritz({kRitz, "view", (folder_ / "beam.toml").string(), "--quiet"}, (folder_ / "log").string(), "");
+  EXPECT_EQ(ritz.wait(20s), 2);
+  const std::string said = read_all(folder_ / "log");
+  EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+  EXPECT_NE(said.find("`ritz record "), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace app
