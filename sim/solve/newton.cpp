@@ -153,8 +153,12 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, const Mo
     report.linear += linear.iterations;
     report.factorisations += linear.factorisations;
     if (linear.positive_definite) return dx_.allFinite();
-    // The exact tangent is not positive definite here: clamped, it is.
-    if (fix != Definiteness::none) return false;
+    // The exact tangent is not positive definite here: clamped, it is, but for round-off. Where even that fails, down
+    // the slope by the diagonal.
+    if (fix == Definiteness::none) continue;
+    tangent_.diagonal(dx_);
+    dx_ = residual_.cwiseQuotient(dx_);
+    return dx_.allFinite();
   }
 }
 
