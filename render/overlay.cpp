@@ -51,7 +51,9 @@ void Overlay::draw(const Frame& frame, const View& view) {
   if (view.orthographic && frame.look.scale_bar) draw_scale_bar(page_, view, frame.look.length);
   draw_labels(frame.labels, view);
   const ImVec2 strips = draw_strips(page_, frame.strips);
-  if (frame.scale && frame.look.legend && coloured) draw_legend(page_, *frame.scale, strips.y - 0.5F * page_.margin);
+  const bool bar = view.orthographic && frame.look.scale_bar;
+  const float bottom = std::min(strips.y, bar ? page_.height - 5.5F * page_.size : page_.height);
+  if (frame.scale && frame.look.legend && coloured) draw_legend(page_, *frame.scale, bottom - 0.5F * page_.margin);
   draw_words(frame, view, strips);
   ImGui::Render();
   painter_->draw(*ImGui::GetDrawData());

@@ -140,16 +140,14 @@ void draw(const std::vector<Diagram>& diagrams, const std::filesystem::path& bas
     std::cerr << "diagram: " << base.string() << ".svg, .png\n";
 }
 
-Trade::Advice Trade::advise() {
-  Advice advice;
+void Trade::advise(Advice& advice) {
   advice.chosen = choose(search_.scores(), goal_);
-  if (!advice.chosen) return advice;
+  if (!advice.chosen) return;
   advice.fresh = notebook_.run_afresh(advice.chosen->run->which);
   advice.found = scorer_.judge(advice.fresh);
   const std::string comment =
       "ritz trade " + options_.scene.string() + ": for " + goal_.text + ": " + advice.chosen->run->which.label;
   write_atomically(folder_ / "advice.toml", advice_toml(advice.chosen->run->which, comment), false);
-  return advice;
 }
 
 std::string Trade::advice_text(const Advice& advice) {
@@ -218,7 +216,8 @@ void Trade::report() {
               << percent(references.total_uncertainty.rms) << '\n';
   for (const std::string& note : search_.notes()) std::cout << "note: " << note << '\n';
   draw({diagram()}, folder_ / "trade", options_.quiet);
-  const Advice advice = advise();
+  Advice advice;
+  advise(advice);
   write_json(advice);
   std::cout << advice_text(advice);
 }

@@ -38,7 +38,7 @@ class Trade {
   };
   void write_csv();
   void write_json(const Advice& advice);
-  Advice advise();
+  void advise(Advice& advice);
   std::string advice_text(const Advice& advice);
 
   Options options_;

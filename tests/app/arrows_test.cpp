@@ -15,7 +15,7 @@ Document pulled_box(int cells) {
   body.name = "box";
   body.mesh = sim::generate_box({1, 1, 1}, {cells, cells, cells}, {1, 1, 1}, sim::ElementKind::tet4);
   body.materials = {sim::MaterialSpec{}};
-  body.pins = {{.where = sim::InGroup{"bottom"}}};
+  body.pins = {sim::Pin{sim::InGroup{"bottom"}, "xyz", {}, {}}};
   body.tractions = {{.where = sim::InGroup{"top"}, .value = {0, 200, 0}}};
   document.scene.bodies = {body};
   return document;

@@ -49,7 +49,7 @@ TEST(ColourRange, ASceneTellsWhatIsToBeExpected) {
   scene.bodies.resize(1);
   sim::Body& body = scene.bodies[0];
   body.mesh.X = Eigen::MatrixXd{{0, 4}, {0, 1}, {0, 1}};
-  body.materials = {{.young = 1e6, .density = 1000}};
+  body.materials = {sim::MaterialSpec{"stable-neo-hookean", 1e6, 0.45, 1000, ""}};
   const double weight = 1000 * 9.81 * 4;
   EXPECT_NEAR(expected_reach(Quantity::stress, scene), weight, 1);
   EXPECT_NEAR(expected_reach(Quantity::stretch, scene), weight / 1e6, 1e-6);

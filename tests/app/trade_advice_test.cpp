@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 TEST(Goal, IsReadFromTargetOrBudget) {
-  const sim::Time time{4.0, 25, 1, "sdirk2"};
+  const sim::Time time{.seconds = 4.0, .fps = 25, .integrator = "sdirk2"};
   const auto value = [&](const char* target, const char* budget) {
     TradeOptions options;
     options.target = target;

@@ -16,8 +16,8 @@ TEST(Loads, APinnedBlockIsHeldAgainstWeightAndLoad) {
   Body body;
   body.name = "block";
   body.mesh = generate_box({1, 2, 1}, {2, 4, 2}, {1, 1, 1}, ElementKind::tet4);
-  body.materials = {{.young = 1e6, .poisson = 0.3, .density = 1000}};
-  body.pins = {{.where = InGroup{"bottom"}}};
+  body.materials = {MaterialSpec{"stable-neo-hookean", 1e6, 0.3, 1000, ""}};
+  body.pins = {Pin{InGroup{"bottom"}, "xyz", {}, {}}};
   body.tractions = {{.where = InGroup{"top"}, .value = {300, -500, 0}}};
   scene.bodies = {body};
   const System system(scene);

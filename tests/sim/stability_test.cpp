@@ -44,8 +44,12 @@ TEST(Stability, EveryStartEndsFiniteAndIsCalledWhatItIs) {
         EXPECT_NE(r.verdict, Verdict::stopped) << which << ": " << r.failure;
         EXPECT_TRUE(std::isfinite(r.distance) && std::isfinite(r.min_J)) << which;
         // Where nothing is folded or inverted in the end there is one place to be: the rest shape.
-        if (r.verdict == Verdict::other_equilibrium) EXPECT_GT(r.inverted + r.wound, 0) << which;
-        if (r.verdict == Verdict::recovered) EXPECT_EQ(r.inverted + r.wound, 0) << which;
+        if (r.verdict == Verdict::other_equilibrium) {
+          EXPECT_GT(r.inverted + r.wound, 0) << which;
+        }
+        if (r.verdict == Verdict::recovered) {
+          EXPECT_EQ(r.inverted + r.wound, 0) << which;
+        }
       }
 }
 
