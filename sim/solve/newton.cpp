@@ -15,6 +15,7 @@ constexpr double linear_tolerance = 1e-2;  // |residual of the linear solve| / |
 constexpr double armijo = 1e-4;            // share of the predicted decrease that a step must give
 constexpr int most_halvings = 40;
 constexpr double step_share = 0.9;      // of the largest step that a term allows
+constexpr double force_noise = 1e-15;   // round-off of a body's forces at rest, relative to E V/L: not to be followed
 constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
 
 // Which tangent the next iteration takes. A tangent made definite leads to a minimum from anywhere, but slowly where
@@ -140,6 +141,10 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, const Mo
     residual_.array() *= tangent_.free().array();
     watch.stop();
     if (!std::isfinite(residual_.squaredNorm())) return false;
+    if (residual_.norm() * parts_.node_size.minCoeff() <= force_noise * parts_.energy_scale) {
+      dx_.setZero();
+      return true;
+    }
 
     Stopwatch solve_watch(report.seconds_solve);
     LinearResult linear;
