@@ -1,6 +1,6 @@
 // A small frame of every look against a stored one, by the command that a CI uses. To store new ones after a wanted
 // change, and to look at them:
-//   RITZ_STORE_GOLDEN=1 build/app_tests --gtest_filter='Golden.*'
+//   RITZ_STORE_GOLDEN=1 build/app_tests --gtest_filter='Golden/*'
 #include <gtest/gtest.h>
 
 #include <cstdlib>
