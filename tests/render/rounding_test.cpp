@@ -78,7 +78,7 @@ TEST(Rounding, LeavesNoGapsAndKeepsTheSense) {
   // Two balls that cut into each other: a crease all around.
   const Rounded balls = rounded(shapes::level_set(
       [](const render::Point& p) {
-        const auto ball = [&](float x) { return std::hypot(p[0] - x, p[1] - 0.03F, p[2]) - 0.5F; };
+        const auto ball = [&](float x) { return std::hypot(p[0] - x, p[1] - 0.03F, p[2]) - 0.42F; };
         return std::min(ball(-0.31F), ball(0.37F));
       },
       10));
