@@ -237,11 +237,15 @@ void settle_substeps(System::Parts& parts) {
 void form_pattern(System::Parts& parts) {
   if (parts.scheme->stages.empty()) return;
   const bool by_itself = parts.solver.linear == "auto";
-  parts.solver.linear = settled_solver(parts.solver.linear, parts.dofs());
+  const bool flat = std::all_of(parts.ranges.begin(), parts.ranges.end(),
+                                [](const BodyRange& body) { return info(body.mesh->kind).dimension == 2; });
+  parts.solver.linear = settled_solver(parts.solver.linear, parts.dofs(), flat);
   if (by_itself)
-    parts.remarks.push_back(parts.solver.linear == "pcg"
-                                ? "solver: conjugate gradients without a matrix, for this size"
-                                : "solver: conjugate gradients on the matrix; CHOLMOD from where they take too long");
+    parts.remarks.push_back(parts.solver.linear == "pcg" ? "solver: conjugate gradients without a matrix, for this size"
+                            : parts.solver.linear == "cholmod"
+                                ? "solver: CHOLMOD, as all bodies are flat"
+                                : "solver: conjugate gradients on the matrix; CHOLMOD from "
+                                  "where they take too long");
   if (!forms_matrix(parts.solver.linear)) return;
   Coupling coupling(parts.node_count);
   for (const Mass& mass : parts.masses) mass.couple(coupling);

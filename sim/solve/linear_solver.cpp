@@ -4,9 +4,11 @@
 
 namespace sim {
 
-std::string settled_solver(const std::string& linear, Eigen::Index dofs) {
+std::string settled_solver(const std::string& linear, Eigen::Index dofs, bool flat) {
   // Beyond this size the factor of a solid no longer pays: it grows like n^(4/3), an iteration like n.
   constexpr Eigen::Index largest_factor = 200000;
+  // The factor of a surface grows hardly faster than the matrix.
+  if (linear == "auto" && flat) return "cholmod";
   if (linear == "auto") return dofs <= largest_factor ? "auto" : "pcg";
   if (linear == "cholmod" || linear == "pcg" || linear == "pcg-assembled") return linear;
   throw InputError("solver.linear", "\"" + linear + "\" is not a solver: cholmod, pcg, pcg-assembled or auto");

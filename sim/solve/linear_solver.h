@@ -41,7 +41,8 @@ class LinearSolver {
 std::unique_ptr<LinearSolver> make_linear_solver(const System::Parts& parts);
 
 // The solver that a name stands for at this size, and whether it forms a matrix.
-std::string settled_solver(const std::string& linear, Eigen::Index dofs);
+// flat: all elements are triangles or quads.
+std::string settled_solver(const std::string& linear, Eigen::Index dofs, bool flat);
 bool forms_matrix(const std::string& settled);
 
 }  // namespace sim
