@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "sim/material/neo_hookean.h"
 #include "sim/solve/tangent_operator.h"
@@ -105,9 +106,15 @@ void textbook_stiffness(benchmark::State& state) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+// The least of some repetitions is what a machine with other work on it can tell.
+void least(benchmark::internal::Benchmark* b) {
+  b->Repetitions(10)->ReportAggregatesOnly()->ComputeStatistics(
+      "least", [](const std::vector<double>& v) { return *std::min_element(v.begin(), v.end()); });
+}
+
 BENCHMARK(force)->ArgsProduct({{0, 1, 2}, {1, 2}})->UseRealTime();
-BENCHMARK(force_and_clamped_stiffness_scattered)->ArgsProduct({{0, 1, 2}, {1, 2}})->UseRealTime();
+BENCHMARK(force_and_clamped_stiffness_scattered)->ArgsProduct({{0, 1, 2}, {1, 2}})->UseRealTime()->Apply(least);
 BENCHMARK(product_without_matrix)->ArgsProduct({{0}, {1, 2}})->UseRealTime();
-BENCHMARK(textbook_stiffness);
+BENCHMARK(textbook_stiffness)->Apply(least);
 
 }  // namespace
