@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::int64_t kLongRun = 100000;  // steps
 
-CaseResult run_case(const Case& c, const std::function<bool()>& interrupted) {
+CaseResult run_case(const StressCase& c, const std::function<bool()>& interrupted) {
   const Stopwatch watch;
   CaseResult result;
   try {
@@ -35,7 +35,7 @@ CaseResult run_case(const Case& c, const std::function<bool()>& interrupted) {
 // Runs the cases on some threads and prints them in their order, each as soon as those before it are done.
 class Board {
  public:
-  Board(const std::vector<Case>& cases, bool quiet)
+  Board(const std::vector<StressCase>& cases, bool quiet)
       : cases_(cases), style_(progress_style(quiet)), results_(cases.size()), done_(cases.size()) {}
 
   // The results of the cases that were run: all of them, unless interrupted.
@@ -75,7 +75,7 @@ class Board {
               << ", " << clock_text(left) << " left" << std::flush;
   }
 
-  const std::vector<Case>& cases_;
+  const std::vector<StressCase>& cases_;
   ProgressStyle style_;
   std::vector<CaseResult> results_;
   std::vector<bool> done_;
@@ -107,7 +107,7 @@ std::filesystem::path csv_path(const Options& options) {
 int stress(const Options& options) {
   const std::vector<Subject> bodies = subjects(options);
   const std::vector<Extreme> rows = extremes();
-  std::vector<Case> cases = make_cases(bodies, rows, {options.quick, options.only, options.seed, options.seeds});
+  std::vector<StressCase> cases = make_cases(bodies, rows, {options.quick, options.only, options.seed, options.seeds});
   if (cases.empty()) throw std::runtime_error("--only " + options.only + ": no case has this in its name");
   const std::filesystem::path file = csv_path(options);
   Board board(cases, options.quiet);

@@ -24,7 +24,7 @@ struct Extreme {
 };
 
 // One run.
-struct Case {
+struct StressCase {
   const Subject* subject;
   const Extreme* extreme;
   std::uint64_t seed;
@@ -52,7 +52,7 @@ struct Choice {
 };
 
 // Every combination that means something and is chosen. Subjects and extremes must outlive the cases.
-std::vector<Case> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
-                             const Choice& choice);
+std::vector<StressCase> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
+                                   const Choice& choice);
 
 }  // namespace app

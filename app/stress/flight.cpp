@@ -39,8 +39,8 @@ std::vector<Flight> fly(std::int64_t steps, int threads, const std::function<boo
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t k = next++; k < flights.size() && !interrupted(); k = next++) {
-      flights[k].flying = sim::drift(sim::System(body(flights[k].scheme, true)), steps, interrupted);
-      flights[k].resting = sim::drift(sim::System(body(flights[k].scheme, false)), steps, interrupted);
+      flights[k].flying = sim::flight_drift(sim::System(body(flights[k].scheme, true)), steps, interrupted);
+      flights[k].resting = sim::flight_drift(sim::System(body(flights[k].scheme, false)), steps, interrupted);
     }
   };
   std::vector<std::thread> workers;
@@ -59,7 +59,7 @@ std::string flight_table(const std::vector<Flight>& flights, std::int64_t steps)
     std::snprintf(line, sizeof line, "%-20s %10.1e %10.1e %10.1e %12.1e", f.scheme.c_str(), f.flying.p, f.flying.L,
                   f.flying.energy, f.resting.away);
     table += line;
-    for (const sim::Drift* d : {&f.flying, &f.resting})
+    for (const sim::FlightDrift* d : {&f.flying, &f.resting})
       if (!d->failure.empty()) table += "  after " + std::to_string(d->steps) + " steps: " + d->failure;
     table += '\n';
   }

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/drift.h"
+#include "sim/flight_drift.h"
 
 namespace app {
 
 struct Flight {
   std::string scheme;
-  sim::Drift flying, resting;
+  sim::FlightDrift flying, resting;
 };
 
 std::vector<Flight> fly(std::int64_t steps, int threads, const std::function<bool()>& interrupted);

@@ -44,7 +44,7 @@ std::string table_header() {
   return line;
 }
 
-std::string table_row(const Case& c, const CaseResult& result) {
+std::string table_row(const StressCase& c, const CaseResult& result) {
   char line[320];
   const int length = std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s",
                                    (c.extreme->group + "/" + c.extreme->name).c_str(), c.subject->element.c_str(),
@@ -59,7 +59,7 @@ std::string table_row(const Case& c, const CaseResult& result) {
   return row + line;
 }
 
-std::string table_summary(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
+std::string table_summary(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results) {
   std::map<std::string, int> verdicts, reasons;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     ++verdicts[verdict_of(results[k])];
@@ -74,13 +74,13 @@ std::string table_summary(const std::vector<Case>& cases, const std::vector<Case
   return text;
 }
 
-std::string stress_csv(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
+std::string stress_csv(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results) {
   std::string csv =
       "extreme,seed,body,material,integrator,verdict,distance,min_J,inverted,wound,steps,not_converged,halved,newton,"
       "linear,"
       "seconds,reason\n";
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const Case& c = cases[k];
+    const StressCase& c = cases[k];
     const CaseResult& result = results[k];
     const sim::Recovery& r = result.recovery;
     csv += field(c.extreme->group + "/" + c.extreme->name) + "," + std::to_string(c.seed) + "," +

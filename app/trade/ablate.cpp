@@ -25,7 +25,7 @@ struct Removal {
 
 std::string line(const Removal& removal) {
   const CaseRun& run = *removal.run;
-  if (run.status != Status::done) return "  " + run.which.label + ": " + run.reason + '\n';
+  if (run.status != CaseStatus::done) return "  " + run.which.label + ": " + run.reason + '\n';
   const char* const verdict = removal.change.pixels < kUnseen ? "nothing that is seen: it can go" : "";
   char text[240];
   std::snprintf(text, sizeof text, "  %-46s %8.1f %10.3g %10.3g %10.3g  %s\n", run.which.label.c_str(),
@@ -39,7 +39,7 @@ std::string csv_line(const Removal& removal) {
   for (const double x :
        {removal.run->work.median(), removal.saved, removal.change.rms, removal.change.max, removal.change.pixels}) {
     text += ',';
-    if (removal.run->status == Status::done) append_number(text, x);
+    if (removal.run->status == CaseStatus::done) append_number(text, x);
   }
   return text + '\n';
 }
@@ -64,20 +64,20 @@ int ablate(const Options& options) {
   const std::filesystem::path folder = trade_folder(options);
   Notebook notebook(ground, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
                     interrupt);
-  const std::vector<Case> cases = without_features(ground.scene.document);
+  const std::vector<TradeCase> cases = without_features(ground.scene.document);
   std::vector<Removal> removals;
   try {
     settle_stretch(ground, notebook, cases.size() + 1);
     const CaseRun& whole = notebook.run({"the scene", Axis::scene, {}}, notebook.left());
-    if (whole.status != Status::done) throw std::runtime_error(options.scene.string() + ": " + whole.reason);
+    if (whole.status != CaseStatus::done) throw std::runtime_error(options.scene.string() + ": " + whole.reason);
     Scorer scorer(ground);
     References references;
     references.check.frames = whole.path.frames();
     scorer.set(references);
-    for (const Case& which : cases) {
+    for (const TradeCase& which : cases) {
       const CaseRun& run = notebook.run(which, notebook.left());
       Removal removal{&run, 1 - run.work.median() / whole.work.median(), {}};
-      if (run.status == Status::done) removal.change = scorer.apart(run, whole);
+      if (run.status == CaseStatus::done) removal.change = scorer.apart(run, whole);
       removals.push_back(removal);
     }
   } catch (const Interrupted&) {

@@ -17,7 +17,7 @@ constexpr double kTimeMargin = 1.1;  // wall times vary
 std::vector<const Score*> candidates(const std::vector<const Score*>& scores) {
   std::vector<const Score*> list;
   for (const Score* score : scores)
-    if (score->run->status == Status::done && score->run->which.axis != Axis::reference &&
+    if (score->run->status == CaseStatus::done && score->run->which.axis != Axis::reference &&
         std::isfinite(score->bound.rms) && score->seconds() > 0)
       list.push_back(score);
   return list;
@@ -75,7 +75,7 @@ const Score* choose(const std::vector<const Score*>& scores, const Goal& goal) {
   return *std::ranges::min_element(list, better);
 }
 
-std::string advice_toml(const Case& which, const std::string& comment) {
+std::string advice_toml(const TradeCase& which, const std::string& comment) {
   std::map<std::string, std::string> tables;  // "time", "body.0.mesh"
   for (const auto& [key, value] : which.settings) {
     const std::size_t dot = key.rfind('.');

@@ -20,6 +20,6 @@ const Score* choose(const std::vector<const Score*>& scores, const Goal& goal);
 bool meets(const Score& score, const Goal& goal);
 
 // advice.toml: the case's settings, as keys that overlay the scene.
-std::string advice_toml(const Case& which, const std::string& comment);
+std::string advice_toml(const TradeCase& which, const std::string& comment);
 
 }  // namespace app

@@ -9,19 +9,19 @@ std::string_view axis_name(Axis axis) {
   return names[static_cast<int>(axis)];
 }
 
-Options options_of(const Options& scene, const Case& which) {
+Options options_of(const Options& scene, const TradeCase& which) {
   Options options = scene;
   for (const auto& [key, value] : which.settings) options.overrides.push_back({key, value, key + "=" + value});
   return options;
 }
 
-std::string settings_text(const Case& which) {
+std::string settings_text(const TradeCase& which) {
   std::string text;
   for (const auto& [key, value] : which.settings) text += (text.empty() ? "" : ";") + key + "=" + value;
   return text;
 }
 
-Case with(Case which, const std::string& label, const std::string& key, const std::string& value) {
+TradeCase with(TradeCase which, const std::string& label, const std::string& key, const std::string& value) {
   which.label += (which.label.empty() || label.empty() ? "" : ", ") + label;
   std::erase_if(which.settings, [&](const auto& setting) { return setting.first == key; });
   which.settings.emplace_back(key, value);

@@ -16,20 +16,20 @@ enum class Axis { scene, reference, time, mesh, rest, advice };
 // "scene", "reference", ...
 std::string_view axis_name(Axis axis);
 
-struct Case {
+struct TradeCase {
   std::string label;  // "tr-bdf2 h=1/120"
   Axis axis = Axis::time;
   std::vector<std::pair<std::string, std::string>> settings;  // key, value: laid over the scene
 };
 
 // The options of the scene with the case's settings over them.
-Options options_of(const Options& scene, const Case& which);
+Options options_of(const Options& scene, const TradeCase& which);
 
 // "time.integrator=tr-bdf2;time.substeps=2"
-std::string settings_text(const Case& which);
+std::string settings_text(const TradeCase& which);
 
 // The case with one more setting, which replaces one of the same key.
-Case with(Case which, const std::string& label, const std::string& key, const std::string& value);
+TradeCase with(TradeCase which, const std::string& label, const std::string& key, const std::string& value);
 
 // Work per simulated second.
 struct Work {
@@ -40,12 +40,12 @@ struct Work {
   double least() const;
 };
 
-enum class Status { done, failed, skipped };
+enum class CaseStatus { done, failed, skipped };
 
 struct CaseRun {
-  Case which;
+  TradeCase which;
   std::uint64_t id = 0;  // of the scene with these settings, the frames compared and the program's version
-  Status status = Status::skipped;
+  CaseStatus status = CaseStatus::skipped;
   std::string reason;    // why it failed or was skipped
   double estimate = 0;   // s: what a run that was given up would have taken
   sim::Trajectory path;  // of the scene's own nodes

@@ -70,7 +70,7 @@ CaseRun read_head(const toml::table& table) {
   run.which.label = table["label"].value_or(std::string());
   run.which.axis = static_cast<Axis>(table["axis"].value_or(0));
   run.id = std::stoull(table["id"].value_or(std::string("0")));
-  run.status = static_cast<Status>(table["status"].value_or(0));
+  run.status = static_cast<CaseStatus>(table["status"].value_or(0));
   run.reason = table["reason"].value_or(std::string());
   run.order = table["order"].value_or(0);
   run.dofs = table["dofs"].value_or(0);

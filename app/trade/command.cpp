@@ -16,19 +16,19 @@ Plan job_plan(const Ground& ground) {
   return {4, ground.scene.last_frame()};
 }
 
-std::vector<Case> jobs_of(const Ground& ground) {
+std::vector<TradeCase> jobs_of(const Ground& ground) {
   return independent_cases(ground.scene.document, job_plan(ground), ground.options.trade.keep_mesh);
 }
 
 int list_jobs(const Options& options) {
   int number = 0;
-  for (const Case& which : jobs_of(make_ground(options))) std::cout << number++ << '\t' << which.label << '\n';
+  for (const TradeCase& which : jobs_of(make_ground(options))) std::cout << number++ << '\t' << which.label << '\n';
   return kDone;
 }
 
 int run_one(const Options& options) {
   const Ground ground = make_ground(options);
-  const std::vector<Case> jobs = jobs_of(ground);
+  const std::vector<TradeCase> jobs = jobs_of(ground);
   const int number = *options.trade.one_case;
   if (number < 0 || number >= static_cast<int>(jobs.size()))
     throw std::runtime_error("--case " + std::to_string(number) + ": must be 0 to " + std::to_string(jobs.size() - 1) +

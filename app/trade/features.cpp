@@ -7,11 +7,11 @@
 namespace app {
 namespace {
 
-Case without(const std::string& feature, const std::string& key, const std::string& value) {
+TradeCase without(const std::string& feature, const std::string& key, const std::string& value) {
   return {feature, Axis::rest, {{key, value}}};
 }
 
-void add_body_features(const Document& scene, std::size_t b, std::vector<Case>& list) {
+void add_body_features(const Document& scene, std::size_t b, std::vector<TradeCase>& list) {
   const sim::Body& body = scene.scene.bodies[b];
   const std::string key = "body." + std::to_string(b) + ".", name = body.name + ": ";
   const auto add = [&](bool has, const std::string& feature, const char* of, const std::string& value) {
@@ -28,7 +28,7 @@ void add_body_features(const Document& scene, std::size_t b, std::vector<Case>& 
   add(model != "linear", "nonlinear material (linear instead)", "material.model", "linear");
 }
 
-void add_obstacle_features(const Document& scene, std::vector<Case>& list) {
+void add_obstacle_features(const Document& scene, std::vector<TradeCase>& list) {
   const auto count = static_cast<int>(scene.scene.obstacles.size());
   for (int k = 0; k < count; ++k) {
     const std::string name = "obstacle " + std::to_string(k);
@@ -38,7 +38,7 @@ void add_obstacle_features(const Document& scene, std::vector<Case>& list) {
   }
 }
 
-void add_step_features(const Document& scene, std::vector<Case>& list) {
+void add_step_features(const Document& scene, std::vector<TradeCase>& list) {
   const sim::Scheme& scheme = *sim::find_scheme(scene.scene.time.integrator);
   if (scheme.stages.empty()) return;
   if (scheme.order == 2)
@@ -52,8 +52,8 @@ void add_step_features(const Document& scene, std::vector<Case>& list) {
 
 }  // namespace
 
-std::vector<Case> without_features(const Document& scene) {
-  std::vector<Case> list;
+std::vector<TradeCase> without_features(const Document& scene) {
+  std::vector<TradeCase> list;
   if (scene.scene.world.gravity.norm() > 0)
     list.push_back(without("gravity", "world.gravity", scene.scene.dimension == 2 ? "[0.0, 0.0]" : "[0.0, 0.0, 0.0]"));
   for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) add_body_features(scene, b, list);

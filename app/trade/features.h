@@ -9,6 +9,6 @@
 namespace app {
 
 // One case for each term or feature that the scene has: the scene without it. The label names it.
-std::vector<Case> without_features(const Document& scene);
+std::vector<TradeCase> without_features(const Document& scene);
 
 }  // namespace app

@@ -14,8 +14,8 @@ std::string step_text(const Document& scene, int substeps) {
   return "h=1/" + std::to_string(scene.scene.time.fps * substeps);
 }
 
-Case reference_case(const Document& scene, std::string_view integrator, int substeps) {
-  Case which = time_case(scene, integrator, substeps);
+TradeCase reference_case(const Document& scene, std::string_view integrator, int substeps) {
+  TradeCase which = time_case(scene, integrator, substeps);
   which.axis = Axis::reference;
   return with(with(which, "tolerance 1e-6", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
 }
@@ -25,13 +25,13 @@ bool is_number(const std::string& text, double value) {
 }
 
 // What the case sets the key to, or what the scene has.
-std::string setting(const Case& which, const std::string& key, const std::string& of_scene) {
+std::string setting(const TradeCase& which, const std::string& key, const std::string& of_scene) {
   for (const auto& [name, value] : which.settings)
     if (name == key) return value;
   return of_scene;
 }
 
-void add_solver_cases(const sim::Solver& solver, const Case& around, std::vector<Case>& list) {
+void add_solver_cases(const sim::Solver& solver, const TradeCase& around, std::vector<TradeCase>& list) {
   const std::string tolerance = setting(around, "solver.tolerance", std::to_string(solver.tolerance)),
                     linear = setting(around, "solver.linear", solver.linear),
                     definiteness = setting(around, "solver.definiteness", solver.definiteness);
@@ -46,9 +46,9 @@ void add_solver_cases(const sim::Solver& solver, const Case& around, std::vector
 }
 
 // One change to every body that it changes at all.
-void add_body_case(const Document& scene, const Case& around, const std::string& key, const std::string& value,
-                   std::string (*is)(const sim::Body&), std::vector<Case>& list) {
-  Case which = around;
+void add_body_case(const Document& scene, const TradeCase& around, const std::string& key, const std::string& value,
+                   std::string (*is)(const sim::Body&), std::vector<TradeCase>& list) {
+  TradeCase which = around;
   bool changed = false;
   for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) {
     if (is(scene.scene.bodies[b]) == value) continue;
@@ -61,32 +61,32 @@ void add_body_case(const Document& scene, const Case& around, const std::string&
 
 }  // namespace
 
-Case time_case(const Document& scene, std::string_view integrator, int substeps) {
+TradeCase time_case(const Document& scene, std::string_view integrator, int substeps) {
   return {std::string(integrator) + " " + step_text(scene, substeps),
           Axis::time,
           {{"time.integrator", std::string(integrator)}, {"time.substeps", std::to_string(substeps)}}};
 }
 
-std::vector<Case> reference_cases(const Document& scene, int depth) {
+std::vector<TradeCase> reference_cases(const Document& scene, int depth) {
   return {reference_case(scene, "tr-bdf2", 16 * depth), reference_case(scene, "tr-bdf2", 8 * depth),
           reference_case(scene, "sdirk2", 8 * depth), reference_case(scene, "sdirk2", 4 * depth)};
 }
 
-std::vector<Case> time_cases(const Document& scene, int depth) {
+std::vector<TradeCase> time_cases(const Document& scene, int depth) {
   constexpr std::string_view first[] = {"backward-euler", "tr-bdf2"};
   std::vector<std::string_view> names(std::begin(first), std::end(first));
   for (const sim::Scheme& scheme : sim::schemes()) {
     const bool listed = scheme.name == first[0] || scheme.name == first[1];
     if (!scheme.stages.empty() && !scheme.is_static && !listed) names.push_back(scheme.name);
   }
-  std::vector<Case> list;
+  std::vector<TradeCase> list;
   for (int substeps = 1; substeps <= depth; substeps *= 2)
     for (const std::string_view name : names) list.push_back(time_case(scene, name, substeps));
   return list;
 }
 
-std::vector<Case> explicit_cases() {
-  std::vector<Case> list;
+std::vector<TradeCase> explicit_cases() {
+  std::vector<TradeCase> list;
   for (const sim::Scheme& scheme : sim::schemes()) {
     if (!scheme.stages.empty()) continue;
     const std::string name(scheme.name);
@@ -95,9 +95,9 @@ std::vector<Case> explicit_cases() {
   return list;
 }
 
-std::vector<Case> rest_cases(const Document& scene, const Case& around) {
-  std::vector<Case> list;
-  Case start = around;
+std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around) {
+  std::vector<TradeCase> list;
+  TradeCase start = around;
   start.axis = Axis::rest;
   const std::string integrator = setting(around, "time.integrator", scene.scene.time.integrator);
   const bool implicit = !sim::find_scheme(integrator)->stages.empty();
@@ -111,8 +111,8 @@ std::vector<Case> rest_cases(const Document& scene, const Case& around) {
   return list;
 }
 
-Case both(const Case& a, const Case& b, Axis axis) {
-  Case result = a;
+TradeCase both(const TradeCase& a, const TradeCase& b, Axis axis) {
+  TradeCase result = a;
   result.axis = axis;
   for (const auto& [key, value] : b.settings) result = with(result, "", key, value);
   result.label = a.label + (a.label.empty() || b.label.empty() ? "" : ", ") + b.label;

@@ -10,31 +10,31 @@ namespace app {
 
 // The two runs of the reference scheme and the two of the one that checks it: steps of an eighth (and a sixteenth, a
 // quarter) of the smallest of the ladder, tight tolerance. In the order of sim::ReferenceRuns.
-std::vector<Case> reference_cases(const Document& scene, int depth);
+std::vector<TradeCase> reference_cases(const Document& scene, int depth);
 
 // One case: integrator with `substeps` steps a frame.
-Case time_case(const Document& scene, std::string_view integrator, int substeps);
+TradeCase time_case(const Document& scene, std::string_view integrator, int substeps);
 
 // Every scheme with 1, 2, 4, ... depth steps a frame, the most telling first.
-std::vector<Case> time_cases(const Document& scene, int depth);
+std::vector<TradeCase> time_cases(const Document& scene, int depth);
 
 // The explicit schemes with the steps that stability needs.
-std::vector<Case> explicit_cases();
+std::vector<TradeCase> explicit_cases();
 
 // A mesh other than the scene's, and how many times more numbers it has, about.
 struct MeshChange {
-  Case change;    // only the keys of the mesh
-  double growth;  // of the unknowns
-  bool finest;    // fine enough to measure the others against: quadratic, and finer than the scene's
+  TradeCase change;  // only the keys of the mesh
+  double growth;     // of the unknowns
+  bool finest;       // fine enough to measure the others against: quadratic, and finer than the scene's
 };
 
 // Coarser and finer meshes, linear, quadratic and of bricks where the scene's meshes can be made so.
 std::vector<MeshChange> mesh_changes(const Document& scene);
 
 // One setting changed at a time: tolerance, linear solver, definiteness, mass, material.
-std::vector<Case> rest_cases(const Document& scene, const Case& around);
+std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around);
 
 // The settings of `a`, then those of `b` over them.
-Case both(const Case& a, const Case& b, Axis axis);
+TradeCase both(const TradeCase& a, const TradeCase& b, Axis axis);
 
 }  // namespace app

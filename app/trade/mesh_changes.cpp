@@ -52,7 +52,7 @@ std::string list_text(const std::vector<int>& numbers) {
   return "[" + text + "]";
 }
 
-void add_keys(const MeshSpec& mesh, const Change& change, const std::string& body, int dimension, Case& which) {
+void add_keys(const MeshSpec& mesh, const Change& change, const std::string& body, int dimension, TradeCase& which) {
   const std::string element = element_of(change.shape, dimension);
   if (element != mesh.element) which = with(which, "", body + ".mesh.element", "\"" + element + "\"");
   if (change.refine == 0) return;

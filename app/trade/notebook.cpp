@@ -38,7 +38,7 @@ std::filesystem::path Notebook::file(std::uint64_t id) const {
 }
 
 void Notebook::keep(const CaseRun& run) const {
-  if (run.status != Status::skipped && run.id != 0) write_atomically(file(run.id), encode(run), false);
+  if (run.status != CaseStatus::skipped && run.id != 0) write_atomically(file(run.id), encode(run), false);
 }
 
 void Notebook::say(const std::string& line) const {
@@ -65,14 +65,14 @@ const CaseRun& Notebook::add(CaseRun run) {
   return runs_.back();
 }
 
-void Notebook::skip(const Case& which, const std::string& reason) {
+void Notebook::skip(const TradeCase& which, const std::string& reason) {
   CaseRun run;
   run.which = which;
   run.reason = reason;
   add(told(std::move(run)));
 }
 
-const CaseRun& Notebook::run(const Case& which, double allowance) {
+const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
   const Options options = options_of(ground_.options, which);
   try {
     const std::uint64_t id =
@@ -98,19 +98,19 @@ const CaseRun& Notebook::run(const Case& which, double allowance) {
 CaseRun Notebook::told(CaseRun run) const {
   char done[64];
   std::snprintf(done, sizeof done, "%.3g s per simulated second", run.work.median());
-  say(run.which.label + (run.status == Status::done     ? std::string(": ") + done
-                         : run.status == Status::failed ? ": failed, " + run.reason
-                                                        : ": skipped, " + run.reason));
+  say(run.which.label + (run.status == CaseStatus::done     ? std::string(": ") + done
+                         : run.status == CaseStatus::failed ? ": failed, " + run.reason
+                                                            : ": skipped, " + run.reason));
   return run;
 }
 
-double Notebook::first_look(const Case& which) {
+double Notebook::first_look(const TradeCase& which) {
   const Simulation simulation = build_simulation(options_of(ground_.options, which));
   const CaseRun run = run_case(ground_, which, simulation, {0, 0, kLookShare * seconds_}, interrupt_);
-  return run.status == Status::skipped ? run.estimate : run.work.median() * ground_.seconds();
+  return run.status == CaseStatus::skipped ? run.estimate : run.work.median() * ground_.seconds();
 }
 
-CaseRun Notebook::run_afresh(const Case& which) {
+CaseRun Notebook::run_afresh(const TradeCase& which) {
   const Simulation simulation = build_simulation(options_of(ground_.options, which));
   return run_case(ground_, which, simulation, {1e12, 0}, interrupt_);
 }

@@ -19,17 +19,17 @@ class Notebook {
            const Interrupt& interrupt);
 
   // The run of this case; it stays where it is. It may take `allowance` [s], but never more than is left of the time.
-  const CaseRun& run(const Case& which, double allowance);
+  const CaseRun& run(const TradeCase& which, double allowance);
   // Seconds that this case would take, from its first steps.
-  double first_look(const Case& which);
+  double first_look(const TradeCase& which);
   // A run made anew, and not kept.
-  CaseRun run_afresh(const Case& which);
+  CaseRun run_afresh(const TradeCase& which);
   // Cases that are not in the folder are from now on skipped for this reason.
   void recall_only(const std::string& reason) { recall_only_ = reason; }
   // Times runs again while there is time.
   void time_again(const CaseRun& run);
   // Lists a case as skipped without a try.
-  void skip(const Case& which, const std::string& reason);
+  void skip(const TradeCase& which, const std::string& reason);
 
   bool recalls_only() const { return !recall_only_.empty(); }
   double left() const { return seconds_ - watch_.seconds(); }

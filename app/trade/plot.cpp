@@ -44,7 +44,7 @@ std::string integrator_style(const std::string& name) {
 
 bool failed(const Score& score) {
   const auto& error = score.total ? score.total : score.time;
-  return score.run->status == Status::failed || (error && !(error->rms < kFailed));
+  return score.run->status == CaseStatus::failed || (error && !(error->rms < kFailed));
 }
 
 // A point of a panel, where it has one above what is certain.
@@ -63,7 +63,7 @@ std::vector<Series> series_of(const Diagram& diagram, ErrorOf error, double leas
   for (const Score* score : diagram.scores) {
     const auto point = dot(*score, error, least);
     if (!point) continue;
-    const Case& which = score->run->which;
+    const TradeCase& which = score->run->which;
     if (score == diagram.advised) advised.dots.push_back(*point);
     if (which.axis == Axis::time) {
       const std::string name = which.settings.front().second;

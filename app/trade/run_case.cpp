@@ -34,7 +34,7 @@ class Pass {
       const double so_far = watch.seconds(), whole = so_far / double(state_.step) * double(steps_);
       if (so_far > allowance.patience && whole > allowance.run) return give_up(whole, run);
     }
-    run.status = Status::done;
+    run.status = CaseStatus::done;
     per_simulated_second(run);
   }
 
@@ -53,7 +53,7 @@ class Pass {
   void fail(const sim::StepReport& report, CaseRun& run) {
     char text[80];
     std::snprintf(text, sizeof text, "at t = %.3g s: ", system_.time(state_.step + 1));
-    run.status = Status::failed;
+    run.status = CaseStatus::failed;
     run.reason = text + report.failure;
     per_simulated_second(run);
   }
@@ -61,7 +61,7 @@ class Pass {
   void give_up(double whole, CaseRun& run) {
     char text[80];
     std::snprintf(text, sizeof text, "would take about %.0f s", whole);
-    run.status = Status::skipped;
+    run.status = CaseStatus::skipped;
     run.reason = text;
     run.estimate = whole;
   }
@@ -93,7 +93,7 @@ void describe(const Ground& ground, const Simulation& simulation, CaseRun& run) 
 
 }  // namespace
 
-CaseRun run_case(const Ground& ground, const Case& which, const Simulation& simulation, const Allowance& allowance,
+CaseRun run_case(const Ground& ground, const TradeCase& which, const Simulation& simulation, const Allowance& allowance,
                  const Interrupt& interrupt) {
   CaseRun run;
   run.which = which;
@@ -103,19 +103,19 @@ CaseRun run_case(const Ground& ground, const Case& which, const Simulation& simu
     const sim::Sampler sampler(*simulation.system, ground.points);
     Pass first(ground, simulation, interrupt);
     first.go(allowance, &sampler, run);
-    const bool repeat = run.status == Status::done && first.seconds() < allowance.repeat;
+    const bool repeat = run.status == CaseStatus::done && first.seconds() < allowance.repeat;
     for (int k = 1; repeat && k < kRepeats; ++k) time_again(ground, simulation, run, interrupt);
   } catch (const sim::InputError& error) {
-    run.status = Status::failed;
+    run.status = CaseStatus::failed;
     run.reason = error.what();
   }
   return run;
 }
 
-CaseRun refused_case(const Case& which, const std::string& reason) {
+CaseRun refused_case(const TradeCase& which, const std::string& reason) {
   CaseRun run;
   run.which = which;
-  run.status = Status::failed;
+  run.status = CaseStatus::failed;
   run.reason = reason;
   return run;
 }

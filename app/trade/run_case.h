@@ -16,11 +16,11 @@ struct Allowance {
 };
 
 // The simulation is the ground's scene with the case's settings. Throws Interrupted; numerical failures are results.
-CaseRun run_case(const Ground& ground, const Case& which, const Simulation& simulation, const Allowance& allowance,
+CaseRun run_case(const Ground& ground, const TradeCase& which, const Simulation& simulation, const Allowance& allowance,
                  const Interrupt& interrupt);
 
 // The run of a case whose settings do not go together.
-CaseRun refused_case(const Case& which, const std::string& reason);
+CaseRun refused_case(const TradeCase& which, const std::string& reason);
 
 // Times it once more.
 void time_again(const Ground& ground, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt);

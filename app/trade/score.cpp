@@ -10,20 +10,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool changes(const Case& which, std::string_view key_end) {
+bool changes(const TradeCase& which, std::string_view key_end) {
   return std::ranges::any_of(which.settings, [&](const auto& setting) {
     return setting.first.starts_with("body.") && setting.first.ends_with(key_end);
   });
 }
-bool changes_model(const Case& which) {
+bool changes_model(const TradeCase& which) {
   return changes(which, "material.model");
 }
-bool changes_bodies(const Case& which) {
+bool changes_bodies(const TradeCase& which) {
   return changes(which, "");
 }
 
 // Whether scheme and step are those of the mesh study, and nothing but meshes and masses differs.
-bool in_mesh_study(const Case& which, const Case& mesh_time) {
+bool in_mesh_study(const TradeCase& which, const TradeCase& mesh_time) {
   std::size_t of_time = 0;
   for (const auto& setting : which.settings) {
     if (setting.first.starts_with("body.")) continue;
@@ -66,7 +66,7 @@ Score Scorer::judge(const CaseRun& run) const {
   Score score;
   score.run = &run;
   score.bound = {kInfinity, kInfinity, kInfinity};
-  if (run.status != Status::done || !references_.time) return score;
+  if (run.status != CaseStatus::done || !references_.time) return score;
   judge_against_time(score);
   if (references_.mesh) judge_against_mesh(score);
   return score;

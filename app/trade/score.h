@@ -22,7 +22,7 @@ struct References {
   const CaseRun* time = nullptr;  // on the scene's mesh; none: no error is known
   sim::ReferenceCheck check;
   const CaseRun* mesh = nullptr;  // on the finest mesh; none: no mesh error is known
-  Case mesh_time;                 // scheme and step of all runs of which mesh errors are taken
+  TradeCase mesh_time;            // scheme and step of all runs of which mesh errors are taken
   Apart total_uncertainty;        // of the total error: time error of the mesh reference, and its own mesh error
 };
 

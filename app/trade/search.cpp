@@ -30,14 +30,14 @@ std::string seconds_text(double seconds) {
 
 }  // namespace
 
-Case mesh_time_case(const Document& scene, const Plan& plan) {
+TradeCase mesh_time_case(const Document& scene, const Plan& plan) {
   return time_case(scene, "tr-bdf2", std::max(1, plan.depth / 2));
 }
 
-std::vector<Case> independent_cases(const Document& scene, const Plan& plan, bool keep_mesh) {
-  const Case own{"the scene", Axis::scene, {}}, mesh_time = mesh_time_case(scene, plan);
-  std::vector<Case> all = {own};
-  const auto add = [&](const std::vector<Case>& list) { all.insert(all.end(), list.begin(), list.end()); };
+std::vector<TradeCase> independent_cases(const Document& scene, const Plan& plan, bool keep_mesh) {
+  const TradeCase own{"the scene", Axis::scene, {}}, mesh_time = mesh_time_case(scene, plan);
+  std::vector<TradeCase> all = {own};
+  const auto add = [&](const std::vector<TradeCase>& list) { all.insert(all.end(), list.begin(), list.end()); };
   add(reference_cases(scene, plan.depth));
   add(time_cases(scene, plan.depth));
   add(explicit_cases());
@@ -99,15 +99,15 @@ void Search::make_plan() {
 bool Search::find_references() {
   for (;; plan_.depth /= 2) {
     std::vector<const CaseRun*> runs;
-    for (const Case& which : reference_cases(scene(), plan_.depth)) {
+    for (const TradeCase& which : reference_cases(scene(), plan_.depth)) {
       runs.push_back(&notebook_.run(which, runs.empty() ? kTimeShare * notebook_.left() : notebook_.left()));
-      if (runs.back()->status != Status::done) break;
+      if (runs.back()->status != CaseStatus::done) break;
     }
-    if (runs.size() == 4 && runs.back()->status == Status::done) {
+    if (runs.size() == 4 && runs.back()->status == CaseStatus::done) {
       judge_references(runs);
       return true;
     }
-    if (plan_.depth == 1 || runs.back()->status == Status::failed || notebook_.recalls_only()) {
+    if (plan_.depth == 1 || runs.back()->status == CaseStatus::failed || notebook_.recalls_only()) {
       note("there is no reference, so no error is known: " + runs.back()->which.label + ": " + runs.back()->reason);
       return false;
     }
@@ -132,8 +132,8 @@ void Search::judge_references(const std::vector<const CaseRun*>& runs) {
 }
 
 void Search::time_axis() {
-  for (const Case& which : time_cases(scene(), plan_.depth)) notebook_.run(which, kTimeShare * notebook_.left());
-  for (const Case& which : explicit_cases()) notebook_.run(which, kRestShare * notebook_.left());
+  for (const TradeCase& which : time_cases(scene(), plan_.depth)) notebook_.run(which, kTimeShare * notebook_.left());
+  for (const TradeCase& which : explicit_cases()) notebook_.run(which, kRestShare * notebook_.left());
   raise_floor();
 }
 
@@ -149,18 +149,18 @@ void Search::raise_floor() {
 }
 
 const CaseRun* Search::find_finest(const std::vector<MeshChange>& changes, double seconds) {
-  const Case time = mesh_time_case(scene(), plan_);
+  const TradeCase time = mesh_time_case(scene(), plan_);
   const CaseRun& own = notebook_.run(time, seconds);
   for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
     if (!change->finest) continue;
-    const Case which = both(time, change->change, Axis::mesh);
+    const TradeCase which = both(time, change->change, Axis::mesh);
     const double least = own.work.median() * ground_.seconds() * std::pow(change->growth, kGrowthOfWork);
     if (least > seconds && !notebook_.recalls_only()) {
       notebook_.skip(which, "would take " + seconds_text(least) + " or more");
       continue;
     }
     const CaseRun& run = notebook_.run(which, seconds);
-    if (run.status == Status::done) return &run;
+    if (run.status == CaseStatus::done) return &run;
   }
   return nullptr;
 }
@@ -172,9 +172,9 @@ void Search::mesh_axis() {
     note("no finer mesh could be afforded or made: the mesh error is not known, targets bound the time error only");
     return;
   }
-  const Case time = mesh_time_case(scene(), plan_);
+  const TradeCase time = mesh_time_case(scene(), plan_);
   for (const MeshChange& change : changes) {
-    const Case which = both(time, change.change, Axis::mesh);
+    const TradeCase which = both(time, change.change, Axis::mesh);
     if (settings_text(which) == settings_text(finest->which)) break;
     notebook_.run(which, kMeshShare * notebook_.left());
   }
@@ -199,7 +199,7 @@ void Search::judge_meshes(const CaseRun& finest) {
 // Schemes and steps of the time axis on the other meshes: those of which it can be expected that they are worth it.
 void Search::combine() {
   struct Guess {
-    Case which;
+    TradeCase which;
     sim::WorkError expected;
   };
   std::vector<const Score*> times, meshes;
@@ -211,7 +211,7 @@ void Search::combine() {
   std::vector<Guess> guesses;
   for (const Score* mesh : meshes)
     for (const Score* time : times) {
-      Case which = mesh->run->which;
+      TradeCase which = mesh->run->which;
       for (const auto& [key, value] : time->run->which.settings) which = with(which, "", key, value);
       which.axis = Axis::rest;
       const std::string& label = mesh->run->which.label;
@@ -236,16 +236,16 @@ void Search::combine() {
 // One setting at a time around the scene's own and around the best.
 void Search::rest() {
   constexpr int rounds = 2;
-  std::vector<Case> around = {{"the scene", Axis::scene, {}}};
+  std::vector<TradeCase> around = {{"the scene", Axis::scene, {}}};
   if (notebook_.recalls_only()) around.push_back(mesh_time_case(scene(), plan_));
   std::vector<std::string> seen;
   for (int round = 0; round < rounds; ++round) {
     if (!notebook_.recalls_only())
       if (const Score* best = choose(scores(), goal_)) around.push_back(best->run->which);
-    for (const Case& start : around) {
+    for (const TradeCase& start : around) {
       if (std::ranges::find(seen, settings_text(start)) != seen.end()) continue;
       seen.push_back(settings_text(start));
-      for (const Case& which : rest_cases(scene(), start)) notebook_.run(which, kRestShare * notebook_.left());
+      for (const TradeCase& which : rest_cases(scene(), start)) notebook_.run(which, kRestShare * notebook_.left());
     }
     around.clear();
   }

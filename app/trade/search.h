@@ -54,9 +54,9 @@ class Search {
 };
 
 // The settings that all runs of a mesh study have in common.
-Case mesh_time_case(const Document& scene, const Plan& plan);
+TradeCase mesh_time_case(const Document& scene, const Plan& plan);
 
 // All cases of a trade that need no other case's result: what --jobs lists.
-std::vector<Case> independent_cases(const Document& scene, const Plan& plan, bool keep_mesh);
+std::vector<TradeCase> independent_cases(const Document& scene, const Plan& plan, bool keep_mesh);
 
 }  // namespace app

@@ -95,8 +95,8 @@ std::string left_out(const std::vector<const Score*>& scores) {
   std::string failed, skipped;
   for (const Score* score : scores) {
     const CaseRun& run = *score->run;
-    if (run.status == Status::failed) failed += "  failed: " + run.which.label + ": " + run.reason + '\n';
-    if (run.status == Status::skipped)
+    if (run.status == CaseStatus::failed) failed += "  failed: " + run.which.label + ": " + run.reason + '\n';
+    if (run.status == CaseStatus::skipped)
       skipped += (skipped.empty() ? "" : "; ") + run.which.label + " (" + run.reason + ")";
   }
   return failed + (skipped.empty() ? "" : "  skipped: " + skipped + '\n');
@@ -115,7 +115,7 @@ constexpr std::string_view kHeader =
 std::string table_text(const std::vector<const Score*>& scores, const References& references) {
   const std::vector<const Score*> members = front_of(scores);
   std::vector<const Score*> done, other;
-  for (const Score* score : scores) (score->run->status == Status::done ? done : other).push_back(score);
+  for (const Score* score : scores) (score->run->status == CaseStatus::done ? done : other).push_back(score);
   std::ranges::stable_sort(done, {}, [](const Score* s) { return s->seconds(); });
   char head[300];
   std::snprintf(head, sizeof head, "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n", "", "time", "mesh", "total", "",

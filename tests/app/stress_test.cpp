@@ -13,9 +13,9 @@
 namespace app {
 namespace {
 
-std::set<std::string> names(const std::vector<Case>& cases) {
+std::set<std::string> names(const std::vector<StressCase>& cases) {
   std::set<std::string> all;
-  for (const Case& c : cases) all.insert(c.name());
+  for (const StressCase& c : cases) all.insert(c.name());
   return all;
 }
 
@@ -53,7 +53,7 @@ TEST(Stress, OnlyAndQuickThinItOut) {
 TEST(Stress, EveryCaseIsASceneThatCanBeBuilt) {
   const auto subjects = built_in_subjects(false);
   const auto rows = extremes();
-  for (const Case& c : make_cases(subjects, rows, {})) {
+  for (const StressCase& c : make_cases(subjects, rows, {})) {
     try {
       const sim::System system(c.scene());
       EXPECT_GE(c.steps, 100) << c.name();
@@ -90,7 +90,7 @@ TEST(Stress, TableAndCsvSayTheSame) {
   result.recovery.reason = "solver.max_iterations reached";
   CaseResult refused;
   refused.refused = "has a \"reason\", and more";
-  const std::vector<Case> cases = {{&subject, &rows[0], 3, 10}, {&subject, &rows[1], 3, 10}};
+  const std::vector<StressCase> cases = {{&subject, &rows[0], 3, 10}, {&subject, &rows[1], 3, 10}};
   const std::string row = table_row(cases[0], result);
   EXPECT_NE(row.find("other equilibrium"), std::string::npos);
   EXPECT_NE(row.find(" 2.50 "), std::string::npos) << row;  // iterations a step

@@ -50,7 +50,7 @@ struct Scores {
   Scores(std::initializer_list<std::pair<double, double>> points) {
     for (const auto& [seconds, error] : points) {
       CaseRun run;
-      run.status = Status::done;
+      run.status = CaseStatus::done;
       run.which.settings = {{"time.substeps", std::to_string(runs.size())}};
       run.work.seconds = {seconds};
       runs.push_back(run);
@@ -80,12 +80,12 @@ TEST(Advice, IsTheFastestWithinTheErrorAndTheMostAccurateWithinTheTime) {
 }
 
 TEST(Advice, IsWrittenAsTables) {
-  const Case which{"",
-                   Axis::rest,
-                   {{"time.integrator", "tr-bdf2"},
-                    {"body.0.mesh.cells", "[2, 1]"},
-                    {"time.substeps", "4"},
-                    {"body.0.mesh.element", "\"tri6\""}}};
+  const TradeCase which{"",
+                        Axis::rest,
+                        {{"time.integrator", "tr-bdf2"},
+                         {"body.0.mesh.cells", "[2, 1]"},
+                         {"time.substeps", "4"},
+                         {"body.0.mesh.element", "\"tri6\""}}};
   EXPECT_EQ(advice_toml(which, "why"),
             "# why\n\n[body.0.mesh]\ncells = [2, 1]\nelement = \"tri6\"\n\n[time]\nintegrator = \"tr-bdf2\"\n"
             "substeps = 4\n");

@@ -240,10 +240,10 @@ TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
 TEST_F(TradeTest, RunsAreReadBackAsTheyWere) {
   const Interrupt interrupt;
   const Ground ground = make_ground(options());
-  const Case which = with({"a \"case\"", Axis::rest, {}}, "tight", "solver.tolerance", "1e-8");
+  const TradeCase which = with({"a \"case\"", Axis::rest, {}}, "tight", "solver.tolerance", "1e-8");
   const CaseRun run =
       run_case(ground, which, build_simulation(options_of(ground.options, which)), {kNoClock, 0}, interrupt);
-  ASSERT_EQ(run.status, Status::done) << run.reason;
+  ASSERT_EQ(run.status, CaseStatus::done) << run.reason;
   const std::string bytes = encode(run);
   const auto read = decode_case(bytes);
   ASSERT_TRUE(read);
@@ -272,7 +272,7 @@ TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
   with.trade.ablate = true;
   const Document scene = load_scene(with.scene);
   std::vector<std::string> names;
-  for (const Case& which : without_features(scene)) names.push_back(which.label);
+  for (const TradeCase& which : without_features(scene)) names.push_back(which.label);
   EXPECT_EQ(list_toml(scene, "obstacle", 1).find("plane"), std::string::npos);  // in the order of the scene
   EXPECT_EQ(list_toml(scene, "obstacle", 0).find("sphere"), std::string::npos);
   const std::vector<std::string> expected = {"plate: damping beta",

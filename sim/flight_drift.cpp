@@ -1,4 +1,4 @@
-#include "sim/drift.h"
+#include "sim/flight_drift.h"
 
 #include "sim/parts.h"
 #include "sim/stepper.h"
@@ -13,12 +13,12 @@ double relative(double change, double before) {
 
 }  // namespace
 
-Drift drift(const System& system, std::int64_t steps, const std::function<bool()>& interrupted) {
+FlightDrift flight_drift(const System& system, std::int64_t steps, const std::function<bool()>& interrupted) {
   const auto stepper = make_stepper(system, 1);
   State state = system.initial_state();
   const Eigen::VectorXd x = state.x;
   const Measures before = system.measure(state);
-  Drift d;
+  FlightDrift d;
   while (d.steps < steps && !interrupted()) {
     d.failure = stepper->step(state).failure;
     if (!d.failure.empty()) break;

@@ -8,7 +8,7 @@
 namespace sim {
 
 // Of a body without loads, after its flight: changes relative to the start.
-struct Drift {
+struct FlightDrift {
   std::int64_t steps = 0;  // taken
   double p = 0;            // |p - p_0| / |p_0|
   double L = 0;            // |L - L_0| / |L_0|
@@ -17,6 +17,6 @@ struct Drift {
   std::string failure;     // empty, or why it ended early
 };
 
-Drift drift(const System& system, std::int64_t steps, const std::function<bool()>& interrupted);
+FlightDrift flight_drift(const System& system, std::int64_t steps, const std::function<bool()>& interrupted);
 
 }  // namespace sim
