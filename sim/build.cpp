@@ -159,8 +159,8 @@ void add_loads(System::Parts& parts, std::size_t b) {
         std::make_unique<TractionLoad>(body, body.tractions[k], facets, parts.ranges[b].first_node, parts.X, parts.D));
   }
   if (body.untangle > 0)
-    parts.terms.push_back(
-        std::make_unique<UntangleTerm>(body, parts.ranges[b].first_node, parts.X, parts.pins, parts.D));
+    parts.terms.push_back(std::make_unique<UntangleTerm>(body, material_of_elements(body, b),
+                                                         parts.ranges[b].first_node, parts.X, parts.pins, parts.D));
   if (body.damping.alpha == 0 && body.damping.beta == 0) return;
   std::vector<const ElasticTerm*> own;
   for (std::size_t e = 0; e < parts.elastic.size(); ++e)

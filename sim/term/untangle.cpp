@@ -11,20 +11,15 @@ namespace sim {
 namespace {
 
 // sum_e E_e V_e/l_e^2/n_e of the elements at each node [N/m], l_e^dimension the element's measure.
-Eigen::VectorXd nodal_stiffness(const Body& body) {
+Eigen::VectorXd nodal_stiffness(const Body& body, const std::vector<int>& material) {
   const Mesh& mesh = body.mesh;
-  Eigen::VectorXd young = Eigen::VectorXd::Constant(mesh.element_count(), body.materials.front().young);
-  for (const MaterialSpec& material : body.materials)
-    for (const Group& group : mesh.groups)
-      if (!material.group.empty() && group.name == material.group)
-        for (const int e : group.elements) young[e] = material.young;
   Eigen::VectorXd k = Eigen::VectorXd::Zero(mesh.node_count());
   visit_mesh(mesh, [&]<class E, int D>(std::type_identity<E>, std::integral_constant<int, D>) {
     const double across = E::dimension == 2 ? body.thickness : 1;
     for (int e = 0; e < mesh.element_count(); ++e) {
       const double V = measure<E, D>(gather<E, D>(mesh.X, mesh.elements.col(e).data()), E::rule);
       for (const int node : mesh.elements.col(e))
-        k[node] += young[e] * across * std::pow(V, 1 - 2.0 / E::dimension) / E::nodes;
+        k[node] += body.materials[material[e]].young * across * std::pow(V, 1 - 2.0 / E::dimension) / E::nodes;
     }
   });
   return k;
@@ -40,13 +35,14 @@ struct UntangleTerm::Goals : Store {
   Eigen::VectorXd free;           // of the system, for a look at the pins
 };
 
-UntangleTerm::UntangleTerm(const Body& body, int first_node, const Eigen::VectorXd& X, const Pins& pins, int D)
+UntangleTerm::UntangleTerm(const Body& body, const std::vector<int>& material, int first_node, const Eigen::VectorXd& X,
+                           const Pins& pins, int D)
     : body_(body.name),
       strength_(body.untangle),
       first_node_(first_node),
       D_(D),
       X_(Eigen::Matrix3Xd::Zero(3, body.mesh.node_count())),
-      k_(strength_ * nodal_stiffness(body)),
+      k_(strength_ * nodal_stiffness(body, material)),
       pins_(pins) {
   X_ = positions(X);
   for (Component& part : components(body.mesh)) {

@@ -17,8 +17,10 @@ namespace sim {
 
 class UntangleTerm final : public Term {
  public:
-  // X: rest positions of the system; the body and the pins must outlive the term.
-  UntangleTerm(const Body& body, int first_node, const Eigen::VectorXd& X, const Pins& pins, int D);
+  // material: of each element, a number in body.materials. X: rest positions of the system; the pins must outlive the
+  // term.
+  UntangleTerm(const Body& body, const std::vector<int>& material, int first_node, const Eigen::VectorXd& X,
+               const Pins& pins, int D);
 
   TermInfo info() const override;
   std::unique_ptr<Store> make_store(int threads) const override;

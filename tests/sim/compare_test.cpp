@@ -135,27 +135,10 @@ TEST(Front, KeepsWhatNothingBeats) {
   EXPECT_EQ(knee(points, members), 3);
 }
 
-// A plate in the plane, pulled upwards by a load that rises smoothly.
-Scene plate(int substeps) {
-  Scene scene;
-  scene.dimension = 2;
-  Body body;
-  body.name = "plate";
-  body.mesh = generate_rectangle({2, 1}, {4, 2}, {1, 1}, ElementKind::tri3);
-  body.materials = {MaterialSpec{"stable-neo-hookean", 2e4, 0.3, 1000, ""}};
-  body.pins = {Pin{InGroup{"left"}, "xy", {}, {}}};
-  body.tractions = {Traction{InGroup{"right"}, {0, 1000, 0}, 0.5}};
-  scene.bodies = {body};
-  scene.world.gravity = {0, 0, 0};
-  scene.time.fps = 30;
-  scene.time.substeps = substeps;
-  scene.solver.tolerance = 1e-10;
-  return scene;
-}
-
 // Half a second of the plate under any row of coefficients.
 Trajectory stepped(const Scheme& scheme, int substeps) {
-  const Scene scene = plate(substeps);
+  Scene scene = test::plate("backward-euler", substeps);
+  scene.solver.tolerance = 1e-10;
   const System system(scene);
   const Sampler sampler(system, sample_points(system));
   const auto parts = build(scene, 1);
@@ -172,7 +155,7 @@ Trajectory stepped(const Scheme& scheme, int substeps) {
 
 ReferenceCheck check_with(const Scheme& other) {
   const Scheme& scheme = *find_scheme("tr-bdf2");
-  const SamplePoints points = sample_points(System(plate(1)));
+  const SamplePoints points = sample_points(System(test::plate("backward-euler", 1)));
   return check_reference({stepped(scheme, 32), stepped(scheme, 16), stepped(other, 16), stepped(other, 8)}, points);
 }
 

@@ -4,29 +4,9 @@
 namespace sim {
 namespace {
 
-// A plate in the plane, pulled upwards at its right edge by a load that rises smoothly.
-Scene plate(const std::string& integrator, int substeps) {
-  Scene scene;
-  scene.dimension = 2;
-  Body body;
-  body.name = "plate";
-  body.mesh = generate_rectangle({2, 1}, {4, 2}, {1, 1}, ElementKind::tri3);
-  body.materials = {MaterialSpec{"stable-neo-hookean", 2e4, 0.3, 1000, ""}};
-  body.pins = {Pin{InGroup{"left"}, "xy", {}, {}}};
-  body.tractions = {Traction{InGroup{"right"}, {0, 1000, 0}, 0.5}};
-  scene.bodies = {body};
-  scene.world.gravity = {0, 0, 0};
-  scene.probes = {{"tip", "plate", {2, 0.5, 0}}};
-  scene.time.integrator = integrator;
-  scene.time.fps = 30;
-  scene.time.substeps = substeps;
-  scene.solver.tolerance = 1e-11;
-  return scene;
-}
-
 // Positions and velocities. (Positions alone converge faster in symplectic Euler: they are those of velocity Verlet.)
 Eigen::VectorXd after_half_a_second(const std::string& integrator, int substeps) {
-  test::Stepped run(plate(integrator, substeps));
+  test::Stepped run(test::plate(integrator, substeps));
   run.steps(15 * substeps);
   Eigen::VectorXd both(2 * run.state.x.size());
   both << run.state.x, run.state.v;
@@ -62,7 +42,7 @@ TEST(Order, SchemesOfSecondOrderMeet) {
 TEST(Order, OfBetaDampingFrozenAndEvaluatedAnew) {
   const auto order = [](int lag_iterations) {
     const auto run = [&](int substeps) {
-      Scene scene = plate("sdirk2", substeps);
+      Scene scene = test::plate("sdirk2", substeps);
       scene.bodies[0].damping = {0, 0.05};
       scene.bodies[0].tractions[0].value = {0, 3000, 0};
       scene.solver.lag_iterations = lag_iterations;
@@ -120,7 +100,7 @@ TEST(Momentum, AngularIsKeptByTheSchemesThatShould) {
 // Energy of a vibrating body without load: the schemes in the order that theory gives.
 TEST(Energy, BackwardEulerLosesMostTheOthersLittle) {
   const auto lost = [](const char* name) {
-    Scene scene = plate(name, 1);
+    Scene scene = test::plate(name, 1);
     scene.bodies[0].tractions.clear();
     scene.bodies[0].velocity = {0, 0.5, 0};
     test::Stepped run(scene);

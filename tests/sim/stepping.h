@@ -21,6 +21,26 @@ inline Scene beam(const char* element, int n, double young = 1e6, double poisson
   return scene;
 }
 
+// A plate in the plane, pulled upwards at its right edge by a load that rises smoothly.
+inline Scene plate(const std::string& integrator, int substeps) {
+  Scene scene;
+  scene.dimension = 2;
+  Body body;
+  body.name = "plate";
+  body.mesh = generate_rectangle({2, 1}, {4, 2}, {1, 1}, ElementKind::tri3);
+  body.materials = {MaterialSpec{"stable-neo-hookean", 2e4, 0.3, 1000, ""}};
+  body.pins = {Pin{InGroup{"left"}, "xy", {}, {}}};
+  body.tractions = {Traction{InGroup{"right"}, {0, 1000, 0}, 0.5}};
+  scene.bodies = {body};
+  scene.world.gravity = {0, 0, 0};
+  scene.probes = {{"tip", "plate", {2, 0.5, 0}}};
+  scene.time.integrator = integrator;
+  scene.time.fps = 30;
+  scene.time.substeps = substeps;
+  scene.solver.tolerance = 1e-11;
+  return scene;
+}
+
 struct Stepped {
   System system;
   State state;
