@@ -169,8 +169,10 @@ inline void append(std::vector<Key>& table, const std::vector<Key>& more) {
 
 // The parts of the table.
 std::vector<Key> time_keys();
+std::vector<Key> solver_keys();
 std::vector<Key> world_keys();
 std::vector<Key> body_keys();
+std::vector<Key> start_keys();
 std::vector<Key> mesh_keys();
 std::vector<Key> material_keys();
 std::vector<Key> pin_keys();

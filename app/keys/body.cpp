@@ -12,10 +12,6 @@ constexpr auto spin_of = [](auto& d, const Indices& i) -> auto& {
   return body_of(d, i).spin;
 };
 
-constexpr auto start_of = [](auto& d, const Indices& i) -> auto& {
-  return body_of(d, i).start;
-};
-
 // A body always has its mesh description and the material of its whole.
 constexpr Binding bodies = {
     [](const Document& d, const Indices&) { return std::optional<Value>(std::ssize(d.scene.bodies)); },
@@ -77,37 +73,6 @@ std::vector<Key> body_keys() {
        .unit = "rad/s",
        .meaning = "Right-handed about the axis.",
        .binding = field<spin_of, &sim::Spin::rate>},
-      {.path = "body[].untangle",
-       .kind = Kind::number,
-       .range = at_least(0),
-       .meaning =
-           "Strength of a pull towards the rest shape that acts only while the body is folded through itself or has "
-           "elements inside out: 1 undoes nearly every tangle, 0.1 is gentler, 0 leaves them.",
-       .binding = field<body_of, &sim::Body::untangle>},
-      {.path = "body[].start", .kind = Kind::table, .meaning = "Where the nodes start that do not start at rest."},
-      {.path = "body[].start.shape",
-       .kind = Kind::choice,
-       .choices = start_names,
-       .meaning = "How the body is deformed at the start; README.md, Stability, tells them all.",
-       .binding = field<start_of, &sim::Start::shape>},
-      {.path = "body[].start.amount",
-       .kind = Kind::number,
-       .unit = "of the shape",
-       .absent = "as the shape says",
-       .meaning = "How much: a factor, degrees (\"twisted\") or body sizes (\"far\").",
-       .binding = field<start_of, &sim::Start::amount>},
-      {.path = "body[].start.direction",
-       .kind = Kind::direction,
-       .absent = "the longest axis; \"plane\" and \"squashed\": the thinnest",
-       .meaning = "Axis or normal of the deformation.",
-       .binding = field<start_of, &sim::Start::direction>},
-      {.path = "body[].start.perturbation",
-       .kind = Kind::number,
-       .unit = "body sizes",
-       .range = at_least(0),
-       .absent = "1e-3 for \"plane\", \"line\", \"point\", else 0",
-       .meaning = "Largest random displacement of each component, from --seed: leaves states that symmetry would keep.",
-       .binding = field<start_of, &sim::Start::perturbation>},
   };
 }
 

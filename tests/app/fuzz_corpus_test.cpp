@@ -1,9 +1,10 @@
-// What the fuzzers of scene files and saved states were given and found stays harmless.
+// What the fuzzers of scene files, saved states and sessions were given and found stays harmless.
 #include <gtest/gtest.h>
 
 #include "tests/app/mesh_data.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/fuzz/scene_input.h"
+#include "tests/fuzz/session_input.h"
 #include "tests/fuzz/state_input.h"
 
 namespace app {
@@ -32,6 +33,15 @@ TEST(FuzzCorpus, StatesAreReadOrRefused) {
   int read = 0;
   EXPECT_GT(replay("fuzz-state", [&](const std::string& input) { read += try_state_input(input); }), 5);
   EXPECT_GT(read, 1);
+}
+
+TEST(FuzzCorpus, SessionsAreReadOrRefused) {
+  const TemporaryFolder folder;
+  int read = 0;
+  EXPECT_GT(
+      replay("fuzz-session", [&](const std::string& input) { read += try_session_input(input, folder / "a.toml"); }),
+      5);
+  EXPECT_GT(read, 3);
 }
 
 }  // namespace

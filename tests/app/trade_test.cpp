@@ -1,88 +1,20 @@
 // `ritz trade` on a small smooth scene: orders, errors, resuming, jobs. Never seconds.
 #include "app/trade/trade.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <map>
-#include <sstream>
 
 #include "app/commands.h"
 #include "app/scene_file.h"
 #include "app/scene_text.h"
 #include "app/trade/case_file.h"
-#include "app/trade/features.h"
 #include "app/trade/table.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/app/trade_scene.h"
 
 namespace app {
 namespace {
 
-// A plate in the plane, pulled upwards by a load that rises smoothly.
-constexpr const char* kPlate = R"(
-title = "plate"
-[time]
-seconds = 0.4
-fps = 30
-substeps = 3
-integrator = "sdirk2"
-[solver]
-tolerance = 1e-6
-[world]
-gravity = [0, 0]
-[[body]]
-name = "plate"
-mesh = { rectangle = [2, 1], cells = [4, 2] }
-material = { young = 2e4, poisson = 0.3 }
-pin = [{ group = "left" }]
-traction = [{ group = "right", value = [0, 1000], ramp = 0.4 }]
-)";
-
 constexpr double kNoClock = 1e6;  // s: more than any test takes
 const Plan kPlan{4, 12};
-
-class TradeTest : public testing::Test {
- protected:
-  Options options(const char* text = kPlate) const {
-    write_all(folder_ / "plate.toml", text);
-    Options options;
-    options.scene = folder_ / "plate.toml";
-    options.out = folder_ / "trade";
-    options.quiet = true;
-    return options;
-  }
-  // Rows of trade.csv by case: column name to cell.
-  std::map<std::string, std::map<std::string, std::string>> rows(const std::filesystem::path& folder) const {
-    std::istringstream text(read_all(folder / "trade.csv"));
-    std::map<std::string, std::map<std::string, std::string>> all;
-    std::vector<std::string> names;
-    for (std::string line; std::getline(text, line);) {
-      const std::vector<std::string> cells = split(line);
-      if (names.empty()) {
-        names = cells;
-        continue;
-      }
-      EXPECT_EQ(cells.size(), names.size()) << line;
-      for (std::size_t k = 0; k < cells.size(); ++k) all[cells[0]][names[k]] = cells[k];
-    }
-    return all;
-  }
-  static std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line) {
-      if (c == '"')
-        quoted = !quoted;
-      else if (c == ',' && !quoted)
-        cells.emplace_back();
-      else
-        cells.back() += c;
-    }
-    return cells;
-  }
-
-  TemporaryFolder folder_;
-};
 
 TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
   const Interrupt interrupt;
@@ -262,40 +194,6 @@ TEST_F(TradeTest, RefusesWhatCannotBeTraded) {
   Options one = options();
   one.trade.one_case = 1000;
   EXPECT_NE(error_of([&] { trade(one); }).find("--case 1000: must be 0 to "), std::string::npos);
-}
-
-TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
-  const std::string text = std::string(kPlate) +
-                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nsphere = [[9, 9], 1]\n"
-                           "[[obstacle]]\nplane = { point = [0, -9], normal = [0, 1] }\nfriction = 0.3\n";
-  Options with = options(text.c_str());
-  with.trade.ablate = true;
-  const Document scene = load_scene(with.scene);
-  std::vector<std::string> names;
-  for (const TradeCase& which : without_features(scene)) names.push_back(which.label);
-  EXPECT_EQ(list_toml(scene, "obstacle", 1).find("plane"), std::string::npos);  // in the order of the scene
-  EXPECT_EQ(list_toml(scene, "obstacle", 0).find("sphere"), std::string::npos);
-  const std::vector<std::string> expected = {"plate: damping beta",
-                                             "plate: consistent mass (lumped instead)",
-                                             "plate: tractions",
-                                             "plate: nonlinear material (linear instead)",
-                                             "obstacle 0",
-                                             "obstacle 1",
-                                             "obstacle 1: friction",
-                                             "second order in time (backward-euler instead)",
-                                             "definiteness fix (exact tangent instead)",
-                                             "tolerance (1e-2 instead)"};
-  EXPECT_EQ(names, expected);
-  testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(with), kDone);
-  const std::string table = testing::internal::GetCapturedStdout();
-  const auto line = [&](const std::string& name) {
-    const std::size_t at = table.find("  " + name + " ");
-    return at == std::string::npos ? std::string() : table.substr(at, table.find('\n', at) - at);
-  };
-  EXPECT_NE(line("obstacle 1").find("it can go"), std::string::npos) << table;  // never touched
-  EXPECT_EQ(line("plate: tractions").find("it can go"), std::string::npos) << table;
-  EXPECT_TRUE(std::filesystem::exists(with.out / "ablate.csv"));
 }
 
 }  // namespace

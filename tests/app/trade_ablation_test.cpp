@@ -1,0 +1,46 @@
+// What a scene can do without.
+#include "app/scene_file.h"
+#include "app/scene_text.h"
+#include "app/trade/features.h"
+#include "app/trade/trade.h"
+#include "tests/app/trade_scene.h"
+
+namespace app {
+namespace {
+
+TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
+  const std::string text = std::string(kPlate) +
+                           "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nsphere = [[9, 9], 1]\n"
+                           "[[obstacle]]\nplane = { point = [0, -9], normal = [0, 1] }\nfriction = 0.3\n";
+  Options with = options(text.c_str());
+  with.trade.ablate = true;
+  const Document scene = load_scene(with.scene);
+  std::vector<std::string> names;
+  for (const TradeCase& which : without_features(scene)) names.push_back(which.label);
+  EXPECT_EQ(list_toml(scene, "obstacle", 1).find("plane"), std::string::npos);  // in the order of the scene
+  EXPECT_EQ(list_toml(scene, "obstacle", 0).find("sphere"), std::string::npos);
+  const std::vector<std::string> expected = {"plate: damping beta",
+                                             "plate: consistent mass (lumped instead)",
+                                             "plate: tractions",
+                                             "plate: nonlinear material (linear instead)",
+                                             "obstacle 0",
+                                             "obstacle 1",
+                                             "obstacle 1: friction",
+                                             "second order in time (backward-euler instead)",
+                                             "definiteness fix (exact tangent instead)",
+                                             "tolerance (1e-2 instead)"};
+  EXPECT_EQ(names, expected);
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(with), kDone);
+  const std::string table = testing::internal::GetCapturedStdout();
+  const auto line = [&](const std::string& name) {
+    const std::size_t at = table.find("  " + name + " ");
+    return at == std::string::npos ? std::string() : table.substr(at, table.find('\n', at) - at);
+  };
+  EXPECT_NE(line("obstacle 1").find("it can go"), std::string::npos) << table;  // never touched
+  EXPECT_EQ(line("plate: tractions").find("it can go"), std::string::npos) << table;
+  EXPECT_TRUE(std::filesystem::exists(with.out / "ablate.csv"));
+}
+
+}  // namespace
+}  // namespace app

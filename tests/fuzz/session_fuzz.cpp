@@ -1,0 +1,13 @@
+// clang++ -std=c++20 -g -O1 -march=native -fsanitize=fuzzer,address,undefined -I. -isystem /usr/include/eigen3
+//   tests/fuzz/session_fuzz.cpp app/session/session_{file,log}.cpp app/{nearest,output_file,hexadecimal}.cpp
+//   app/scene_{error,value}.cpp app/files/{contents,error}.cpp -ltomlplusplus -o session_fuzz
+// session_fuzz -rss_limit_mb=512 -timeout=1 -max_len=4096 NEW_CORPUS tests/data/fuzz-session
+#include <cstddef>
+#include <cstdint>
+
+#include "tests/fuzz/session_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  app::try_session_input({reinterpret_cast<const char*>(data), size}, "/dev/shm/ritz-session-fuzz.toml");
+  return 0;
+}
