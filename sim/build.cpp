@@ -18,6 +18,7 @@
 #include "sim/term/traction.h"
 #include "sim/term/untangle.h"
 #include "sim/time/implicit.h"
+#include "sim/warnings.h"
 
 namespace sim {
 
@@ -59,22 +60,9 @@ BodyRange range_of(const Body& body, const BodyRange* last) {
   return range;
 }
 
-// Linear simplices lock where the material hardly changes its volume: they bend too little. [Hughes 1987, 4.4]
-void warn_of_locking(System::Parts& parts, const Body& body) {
-  const ElementInfo& element = info(body.mesh.kind);
-  if (element.order != 1 || element.corners != element.dimension + 1 || element.dimension < parts.D) return;
-  for (const MaterialSpec& material : body.materials)
-    if (material.poisson >= 0.48)
-      parts.remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
-                              ") and Poisson's ratio " + std::to_string(material.poisson) +
-                              " >= 0.48: it will bend too little; use element = \"" +
-                              (element.dimension == 3 ? "tet10" : "tri6") + "\"");
-}
-
 void add_body(System::Parts& parts, std::size_t b) {
   const Body& body = parts.bodies[b];
   const BodyRange& range = parts.ranges[b];
-  warn_of_locking(parts, body);
   const std::vector<int> material = material_of_elements(body, b);
   std::vector<double> density(material.size());
   for (std::size_t e = 0; e < material.size(); ++e) density[e] = body.materials[material[e]].density;
@@ -217,12 +205,6 @@ void add_springs(System::Parts& parts, const std::vector<Spring>& springs) {
   }
 }
 
-void warn_of_mass_solve(System::Parts& parts) {
-  const auto consistent = [](const Mass& mass) { return !mass.lumped(); };
-  if (parts.scheme->stages.empty() && std::any_of(parts.masses.begin(), parts.masses.end(), consistent))
-    parts.remarks.push_back("consistent mass in an explicit scheme: every step solves a linear system with M");
-}
-
 // Explicit schemes with substeps = 0: what stability needs, with a margin for what stiffens while it moves.
 void settle_substeps(System::Parts& parts) {
   constexpr double margin = 0.8;
@@ -283,7 +265,7 @@ std::unique_ptr<System::Parts> build(const Scene& scene, int threads) {
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(*parts, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
   check_start(*parts);
-  warn_of_mass_solve(*parts);
+  warn(*parts);
   settle_substeps(*parts);
   form_pattern(*parts);
   return parts;

@@ -23,8 +23,10 @@ sim::Scene body(std::string_view scheme, bool flying) {
   }
   scene.world.gravity = {0, 0, 0};
   scene.time.integrator = scheme;
-  scene.time.substeps = sim::find_scheme(scheme)->stages.empty() ? 0 : 1;
-  scene.solver.tolerance = 1e-10;
+  const sim::Scheme& integrator = *sim::find_scheme(scheme);
+  scene.time.substeps = integrator.stages.empty() ? 0 : 1;
+  // Of one iteration it is that of the linear solve.
+  scene.solver.tolerance = integrator.one_iteration ? 1e-13 : 1e-10;
   scene.solver.on_failure = "accept";
   scene.bodies = {body};
   return scene;

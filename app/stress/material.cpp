@@ -67,7 +67,7 @@ std::vector<Extreme> material_extremes() {
     all.push_back(of_materials(labelled("nu = ", nu), nu == 0.499, [nu](auto& m) { m.poisson = nu; }));
   all.push_back(contrast("stiffness ratio 1e6", true, 1e6, 1));
   all.push_back(contrast("stiffness ratio 1e9", false, 1e9, 1));
-  all.push_back(contrast("density ratio 1e4", false, 1, 1e4));
+  all.push_back(contrast("density ratio 1e4", false, 1, 1e-4));
   all.push_back(damped("alpha = 1e3 1/s", false, {1e3, 0}));
   all.push_back(damped("beta = 1 s", false, {0, 1}));
   all.push_back(damped("beta = 1e3 s", true, {0, 1e3}));

@@ -1,5 +1,6 @@
 #include "app/trade/lists.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/element/element.h"
@@ -14,10 +15,21 @@ std::string step_text(const Document& scene, int substeps) {
   return "h=1/" + std::to_string(scene.scene.time.fps * substeps);
 }
 
+// Whether a step freezes something at its start, which costs an order of accuracy: solver.lag_iterations.
+bool lags(const sim::Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const sim::Body& body) { return body.damping.beta > 0; }) ||
+         std::ranges::any_of(scene.obstacles, [](const sim::Obstacle& obstacle) { return obstacle.friction > 0; });
+}
+
+TradeCase lagging(const TradeCase& which) {
+  return with(which, "lag 1", "solver.lag_iterations", "1");
+}
+
 TradeCase reference_case(const Document& scene, std::string_view integrator, int substeps) {
   TradeCase which = time_case(scene, integrator, substeps);
   which.axis = Axis::reference;
-  return with(with(which, "tolerance 1e-6", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
+  which = with(with(which, "tolerance 1e-6", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
+  return lags(scene.scene) ? lagging(which) : which;
 }
 
 bool is_number(const std::string& text, double value) {
@@ -102,6 +114,7 @@ std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around
   const std::string integrator = setting(around, "time.integrator", scene.scene.time.integrator);
   const bool implicit = !sim::find_scheme(integrator)->stages.empty();
   if (implicit) add_solver_cases(scene.scene.solver, start, list);
+  if (implicit && lags(scene.scene) && scene.scene.solver.lag_iterations == 0) list.push_back(lagging(start));
   const auto mass = [](const sim::Body& body) { return body.mass; };
   const auto model = [](const sim::Body& body) { return body.materials.front().model; };
   add_body_case(scene, start, "mass", "lumped", mass, list);

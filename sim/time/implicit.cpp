@@ -128,13 +128,17 @@ void ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t
   next_.force = force_;
 }
 
+// The step before has the same length only where no step is halved.
+const Scheme& ImplicitStepper::scheme_of(const Interval& interval) const {
+  const Scheme& scheme = *parts_.scheme;
+  const bool starts = !scheme.first_step.empty() && (next_.x_before.size() == 0 || interval.depth > 0);
+  return starts ? *find_scheme(scheme.first_step) : scheme;
+}
+
 // next_ from `begin` over the interval; false where the equations are not solved.
-bool ImplicitStepper::attempt(const Interval& interval, const State& begin_state, StepReport& report) {
+bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, const State& begin_state,
+                              StepReport& report) {
   const auto& [t, t_end, h, depth] = interval;
-  const Scheme* scheme = parts_.scheme;
-  // The step before has the same length only where no step is halved.
-  if (!scheme->first_step.empty() && (begin_state.x_before.size() == 0 || depth > 0))
-    scheme = find_scheme(scheme->first_step);
   const bool released = parts_.pins.released(t_end) != parts_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
   if (released) next_.kept.valid = 0;
@@ -145,9 +149,9 @@ bool ImplicitStepper::attempt(const Interval& interval, const State& begin_state
     ++report.force_evaluations;
   }
   report.converged = true;
-  for (std::size_t k = 0; k < scheme->stages.size(); ++k)
-    if (!take_stage(*scheme, scheme->stages[k], static_cast<int>(k), h, begin, report)) return false;
-  finish(*scheme, begin, t_end);
+  for (std::size_t k = 0; k < scheme.stages.size(); ++k)
+    if (!take_stage(scheme, scheme.stages[k], static_cast<int>(k), h, begin, report)) return false;
+  finish(scheme, begin, t_end);
   return report.converged;
 }
 
@@ -157,18 +161,24 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   const bool converged_before = report.converged;
   State& begin = begin_[depth];
   begin = next_;
-  const bool solved = attempt(interval, begin, report);
-  if (solved) {
+  const auto solved = [&](const Scheme& scheme) {
+    if (!attempt(interval, scheme, begin, report)) return false;
     report.converged = converged_before;
     return true;
-  }
+  };
+  const Scheme &own = scheme_of(interval), &euler = *find_scheme("backward-euler");
+  if (solved(own)) return true;
   if (on_failure_ == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
-  if (on_failure_ != OnFailure::split || depth == most_halvings || parts_.scheme->is_static)
-    return report.failure.empty();
+  if (on_failure_ != OnFailure::split || parts_.scheme->is_static) return report.failure.empty();
+  // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
+  // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
+  in_vain_ = in_vain_ || depth == most_halvings;
+  if (in_vain_ && &own == &euler) return report.failure.empty();
   next_ = begin;
   report.converged = converged_before;
   report.failure.clear();
+  if (in_vain_) return solved(euler) || report.failure.empty();
   ++report.splits;
   const double middle = t + h / 2;
   return advance({t, middle, h / 2, depth + 1}, report) && advance({middle, t_end, h / 2, depth + 1}, report);
@@ -179,6 +189,7 @@ StepReport ImplicitStepper::step(State& state) {
   report.step = state.step + 1;
   Stopwatch watch(report.seconds);
   next_ = state;
+  in_vain_ = false;
   if (!advance({parts_.t(state.step), parts_.t(state.step + 1), parts_.h(), 0}, report)) {
     measure_J(parts_, newton_.tangent(), state, report);
     return report;

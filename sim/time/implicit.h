@@ -24,7 +24,8 @@ class ImplicitStepper final : public Stepper {
     int depth;
   };
   bool advance(const Interval& interval, StepReport& report);
-  bool attempt(const Interval& interval, const State& begin, StepReport& report);
+  const Scheme& scheme_of(const Interval& interval) const;
+  bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, const Motion& begin,
                   StepReport& report);
   void guess(const StageProblem& problem, const Scheme& scheme, double h);
@@ -33,6 +34,7 @@ class ImplicitStepper final : public Stepper {
   const System::Parts& parts_;
   OnFailure on_failure_;
   Newton newton_;
+  bool in_vain_ = false;      // halving did not help in the step under way
   State next_;                // the step under way; the caller's state is untouched until it is done
   std::vector<State> begin_;  // where the step, and its halves, began; by depth
   Eigen::VectorXd x_star_, v_start_, impulse_;

@@ -1,6 +1,8 @@
 // clang++ -std=c++20 -g -O1 -march=native -fsanitize=fuzzer,address,undefined -I. -isystem /usr/include/eigen3
-//   tests/fuzz/session_fuzz.cpp app/session/session_{file,log}.cpp app/{nearest,output_file,value_text}.cpp
-//   app/scene_{error,value}.cpp app/files/contents.cpp sim/state.cpp -ltomlplusplus -o session_fuzz
+//   tests/fuzz/session_fuzz.cpp app/session/session_{file,log}.cpp
+//   app/{body_mesh,caption,keys,nearest,output_file,value_text}.cpp app/scene_{error,value}.cpp app/keys/*.cpp
+//   app/files/*.cpp sim/element/element.cpp sim/mesh/*.cpp sim/start/start.cpp sim/time/scheme.cpp sim/state.cpp
+//   render/colour_map.cpp -ltomlplusplus -o session_fuzz
 // session_fuzz -rss_limit_mb=512 -timeout=1 -max_len=4096 NEW_CORPUS tests/data/fuzz-session
 #include <cstddef>
 #include <cstdint>

@@ -214,5 +214,27 @@ TEST(LongRun, ABodyAtRestStaysWhereItIs) {
   }
 }
 
+// Blown up ten times, the energy of fixed-corotated lies below that of rest where lambda < 0: a user is told.
+TEST(Stability, AnEnergyWithoutALeastValueIsSaid) {
+  const auto blown_up = [](const std::string& material) {
+    Scene scene = block(material, "backward-euler", "rest", 1);
+    scene.bodies[0].materials[0].poisson = -0.5;
+    const System system(scene);
+    const std::vector<std::string> remarks = system.remarks();
+    const bool said = std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+      return remark.find("has no least value") != std::string::npos;
+    });
+    State state = system.initial_state();
+    state.x *= 10;
+    return std::pair(system.measure(state).elastic, said);
+  };
+  for (const char* material : {"stable-neo-hookean", "corotated"}) {
+    EXPECT_GT(blown_up(material).first, 0) << material;
+    EXPECT_FALSE(blown_up(material).second) << material;
+  }
+  EXPECT_LT(blown_up("fixed-corotated").first, 0);
+  EXPECT_TRUE(blown_up("fixed-corotated").second);
+}
+
 }  // namespace
 }  // namespace sim::test
