@@ -94,10 +94,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     newton_.tangent().begin_step(lagged);
     if (!newton_.solve(problem, lagged, x_, v_, next_.kept, report)) return false;
   }
-  if (problem.gh != 0 && !report.converged) {
-    // Nothing was balanced: the force itself.
-    newton_.tangent().forces({x_, v_, problem.t, 1 / problem.gh}, force_);
-  } else if (problem.gh != 0) {
+  if (problem.gh != 0) {
     // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
     // the residual by the stiffness).
     force_ = -impulse_;
