@@ -132,18 +132,22 @@ void add(const StepReport& report, Recovery& r) {
 
 Recovery recover(const System& system, std::int64_t steps, bool loaded, const std::function<bool()>& interrupted) {
   constexpr double near = 1e-4;
+  constexpr int most_unsolved = 20;  // steps in a row
   const auto stepper = make_stepper(system, 1);
   State state = system.initial_state();
   Rest rest(system, state, loaded);
   Recovery r;
-  while (state.step < steps && !rest.dead() && !interrupted()) {
-    const StepReport report = stepper->step(state);
-    if (!report.failure.empty()) {
-      r.failure = failure_text(system, report);
-      break;
+  int unsolved = 0;
+  while (state.step < steps && !rest.dead() && r.failure.empty() && !interrupted()) {
+    StepReport report = stepper->step(state);
+    if (report.failure.empty()) {
+      add(report, r);
+      rest.look(state);
+      unsolved = report.converged ? 0 : unsolved + 1;
+      if (unsolved == most_unsolved)
+        report.failure = std::to_string(most_unsolved) + " steps in a row did not converge";
     }
-    add(report, r);
-    rest.look(state);
+    if (!report.failure.empty()) r.failure = failure_text(system, report);
   }
   r.distance = shape_distance(system, state.x, system.parts().X);
   r.wound = wound_places(system, state.x);

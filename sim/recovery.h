@@ -22,12 +22,12 @@ enum class Verdict {
   at_rest_loaded,     // at rest under the scene's loads
   other_equilibrium,  // at rest elsewhere, perhaps with inverted elements
   not_settled,        // still moving at the end
-  stopped,            // a step could not be taken
+  stopped,            // a step could not be taken, or 20 in a row did not converge
 };
 
 struct Recovery {
   Verdict verdict = Verdict::not_settled;
-  std::string failure;     // stopped: step, time, element, reason
+  std::string failure;     // where stopped: step, time, element, reason
   std::string reason;      // of the first step that did not converge
   double distance = 0;     // from the rest shape at the end [body sizes]
   double min_J = 0;        // smallest after any step

@@ -1,4 +1,5 @@
-// clang++ -std=c++20 -g -O1 -DNDEBUG -march=native -fsanitize=fuzzer,address,undefined -I. -isystem /usr/include/eigen3
+// clang++ -std=c++20 -g -O1 -DNDEBUG -march=native -fsanitize=fuzzer,address,undefined
+//   -fno-sanitize=unreachable -I. -isystem /usr/include/eigen3
 //   tests/fuzz/session_fuzz.cpp app/session/session_{file,log}.cpp
 //   app/{body_mesh,caption,keys,nearest,output_file,value_text}.cpp app/scene_{error,value}.cpp app/keys/*.cpp
 //   app/files/*.cpp sim/element/element.cpp sim/mesh/*.cpp sim/start/start.cpp sim/time/scheme.cpp sim/state.cpp
