@@ -4,7 +4,9 @@
 //   app/{body_mesh,caption,keys,nearest,output_file,value_text}.cpp app/scene_{error,value}.cpp app/keys/*.cpp
 //   app/files/*.cpp sim/element/element.cpp sim/mesh/*.cpp sim/start/start.cpp sim/time/scheme.cpp sim/state.cpp
 //   render/colour_map.cpp build/libsim.a -fopenmp=libgomp -lcholmod -lopenblas -ltomlplusplus -o session_fuzz
-// session_fuzz -rss_limit_mb=512 -timeout=1 -max_len=4096 -dict=tests/fuzz/scene.dict NEW_CORPUS tests/data/fuzz-session
+// session_fuzz -rss_limit_mb=512 -timeout=1 -max_len=4096 -dict=tests/fuzz/scene.dict NEW_CORPUS
+// tests/data/fuzz-session (Outside strings toml++ 3.3 has characters for which it reaches what it calls unreachable: an
+// error all the same.)
 #include <cstddef>
 #include <cstdint>
 
