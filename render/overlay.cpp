@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/hatch.h"
 #include "render/imgui_setup.h"
 #include "render/legend.h"
 #include "render/outline.h"
@@ -47,6 +48,7 @@ void Overlay::draw(const Frame& frame, const View& view) {
   const bool coloured = std::any_of(frame.surfaces.begin(), frame.surfaces.end(),
                                     [](const Surface& surface) { return !surface.values.empty(); });
   draw_outlines(page_, frame, view);
+  draw_hatched_planes(page_, frame, view);
   if (view.orthographic && frame.look.axes) draw_axes(page_, view, frame.look.length);
   if (view.orthographic && frame.look.scale_bar) draw_scale_bar(page_, view, frame.look.length);
   draw_labels(frame.labels, view);
