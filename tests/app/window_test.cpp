@@ -240,21 +240,30 @@ TEST_F(WindowTest, EndsWithTheLogWholeOnCtrlC) {
   EXPECT_EQ(read_session(folder_ / "session.toml").steps, 1);
 }
 
+// What the window takes settles: states to step back to are at most 2,000, small ones here; allocators and the
+// rasteriser keep what they have once used. The highest of 10 s is no more than 500 kB above that of the 10 s before: a
+// leak of 50 kB a second does not pass.
 TEST_F(WindowTest, MemoryDoesNotGrow) {
+  std::string scene = kSessionBeam;
+  scene.replace(scene.find("[4, 2, 2]"), 9, "[1, 1, 1]");
+  write_all(folder_ / "beam.toml", scene);
   const auto ritz = view();
-  const auto resident = [&] {  // kB
-    std::istringstream text(read_all("/proc/" + std::to_string(ritz->pid()) + "/status"));
-    for (std::string line; std::getline(text, line);) {
-      if (line.starts_with("VmRSS:")) return std::stol(line.substr(6));
+  const auto highest = [&] {  // kB, of the next 10 s
+    long most = 0;
+    for (int k = 0; k < 10; ++k) {
+      std::this_thread::sleep_for(1s);
+      std::istringstream text(read_all("/proc/" + std::to_string(ritz->pid()) + "/status"));
+      for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("VmRSS:")) most = std::max(most, std::stol(line.substr(6)));
+      }
     }
-    return 0L;
+    return most;
   };
   tool("key space");
-  std::this_thread::sleep_for(4s);  // plots and history fill
-  const long before = resident();
-  ASSERT_GT(before, 0);
-  std::this_thread::sleep_for(4s);
-  EXPECT_LT(resident() - before, 4000) << before;
+  std::vector<long> memory = {highest(), highest()};
+  while (memory.back() - memory[memory.size() - 2] > 500 && memory.size() < 9) memory.push_back(highest());
+  EXPECT_GT(memory[0], 0);
+  EXPECT_LE(memory.back() - memory[memory.size() - 2], 500) << testing::PrintToString(memory);
   tool("key ctrl+q");
   EXPECT_EQ(ritz->wait(10s), 0);
 }
