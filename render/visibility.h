@@ -35,7 +35,7 @@ vec2 visible(vec2 pixel, float depth, vec2 change) {
 
 class Visibility {
  public:
-  // A buffer for pictures of width x height, at a scale that leaves it about 360 rows: light that is soft needs no
+  // A buffer for pictures of width x height, at a scale that leaves it about 270 rows: light that is soft needs no
   // more.
   Visibility(const GladGLContext& gl, int width, int height);
 
