@@ -111,8 +111,9 @@ std::string Expectation::summary() const {
     if (!result.drawn) lines += "\n  frame " + std::to_string(frame) + " was not drawn";
     if (!result.words.empty()) lines += "\n  frame " + std::to_string(frame) + " " + result.words;
   }
+  const std::string known = equal == 0 ? "" : formatted(" (largest difference of a channel: %d of 255)", largest);
   return std::to_string(equal) + " of " + std::to_string(results_.size()) + " frames are as in " + stored_.string() +
-         formatted(" (largest difference of a channel: %d of 255)", largest) + lines;
+         known + lines;
 }
 
 }  // namespace app

@@ -10,22 +10,25 @@ namespace render {
 
 void draw_legend(const Page& page, const ColourScale& scale, float bottom) {
   const float bar_width = std::round(0.9F * page.size);
-  const float room = bottom - 5.5F * page.size;  // below a title, with the heading
+  const std::string heading = scale.unit.empty() ? scale.label : scale.label + " [" + scale.unit + "]";
+  const float wrap = 0.24F * page.width;
+  const ImVec2 heading_size = page.measure(heading, 1, wrap);
+  const float room = bottom - 4.5F * page.size - heading_size.y;  // below a title
   const float bar_height = std::round(std::clamp(0.36F * page.height, 3 * page.size, std::max(room, 3 * page.size)));
   const std::vector<double> values = ticks(scale.low, scale.high, static_cast<int>(bar_height / (2.2F * page.size)));
   const std::vector<std::string> labels = tick_labels(values);
   float widest = 0;
   for (const std::string& label : labels) widest = std::max(widest, page.measure(label, 0.9F).x);
 
-  const std::string heading = scale.unit.empty() ? scale.label : scale.label + " [" + scale.unit + "]";
   const float pad = 0.45F * page.size;
   const float right = page.width - page.margin;
-  const float width = std::max(page.measure(heading).x, bar_width + 0.55F * page.size + widest);
+  const float width = std::max(heading_size.x, bar_width + 0.55F * page.size + widest);
   const float left = std::round(right - width);
   const float lowest = bottom - bar_height - 0.8F * page.size;
   const float top = std::round(std::min((page.height - bar_height) / 2 + 0.8F * page.size, lowest));
-  page.lay_plate({left - pad, top - 1.75F * page.size}, {right + pad, top + bar_height + 0.8F * page.size});
-  page.write(left, top - 1.55F * page.size, heading);
+  page.lay_plate({left - pad, top - heading_size.y - 0.75F * page.size},
+                 {right + pad, top + bar_height + 0.8F * page.size});
+  page.write(left, top - heading_size.y - 0.55F * page.size, heading, Align::left, Page::ink, 1, wrap);
 
   const std::vector<std::uint8_t> colours = colour_table(scale.map, static_cast<int>(bar_height));
   for (int row = 0; row < static_cast<int>(bar_height); ++row) {

@@ -51,7 +51,7 @@ void Overlay::draw(const Frame& frame, const View& view) {
   draw_hatched_planes(page_, frame, view);
   if (view.orthographic && frame.look.axes) draw_axes(page_, view, frame.look.length);
   if (view.orthographic && frame.look.scale_bar) draw_scale_bar(page_, view, frame.look.length);
-  draw_labels(frame.labels, view);
+  draw_labels(frame, view);
   const ImVec2 strips = draw_strips(page_, frame.strips);
   const bool bar = view.orthographic && frame.look.scale_bar;
   const float bottom = std::min(strips.y, bar ? page_.height - 5.5F * page_.size : page_.height);
@@ -61,14 +61,15 @@ void Overlay::draw(const Frame& frame, const View& view) {
   painter_->draw(*ImGui::GetDrawData());
 }
 
-void Overlay::draw_labels(const std::vector<Label>& labels, const View& view) const {
+void Overlay::draw_labels(const Frame& frame, const View& view) const {
   const float pad = 0.4F * page_.size;
-  for (const Label& label : labels) {
+  const float highest = frame.title.empty() ? 0 : 0.8F * page_.margin + title_scale * page_.size + pad;
+  for (const Label& label : frame.labels) {
     const Eigen::Vector3f at =
         view.to_window(to_vector(label.at), static_cast<int>(page_.width), static_cast<int>(page_.height));
     if (!view.orthographic && at.z() < view.near_distance) continue;
     const ImVec2 size = page_.measure(label.text);
-    const float top = at.y() - 1.9F * page_.size;
+    const float top = std::max(at.y() - 1.9F * page_.size, highest);
     page_.lay_plate({at.x() - size.x / 2 - pad, top - pad / 2}, {at.x() + size.x / 2 + pad, top + size.y + pad / 2});
     page_.write(at.x(), top, label.text, Align::centre);
   }

@@ -27,7 +27,7 @@ class Overlay {
 
  private:
   void load_fonts();
-  void draw_labels(const std::vector<Label>& labels, const View& view) const;
+  void draw_labels(const Frame& frame, const View& view) const;
   void draw_words(const Frame& frame, const View& view, ImVec2 strips) const;
 
   ImGuiContext* imgui_;

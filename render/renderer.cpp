@@ -167,7 +167,9 @@ void Renderer::Parts::draw_light(const Frame& frame, const View& view) {
 }
 
 void Renderer::Parts::draw_bodies(const Frame& frame, const View& view) {
-  const float pixel = std::max(1.0F, static_cast<float>(canvas.height()) / 720);
+  // Lines of a pixel weigh more in a small picture, and are lighter there.
+  const float size = static_cast<float>(canvas.height()) / 720;
+  const float pixel = std::max(1.0F, size), ink = 0.55F * std::clamp(size, 0.4F, 1.0F);
   backdrop.draw_depth(frame, view);
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (solids[i]->flat) {
@@ -179,7 +181,7 @@ void Renderer::Parts::draw_bodies(const Frame& frame, const View& view) {
     }
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    if (frame.look.wireframe) bodies.draw_edges(buffers[i], {0.07F, 0.08F, 0.11F, 0.55F}, pixel);
+    if (frame.look.wireframe) bodies.draw_edges(buffers[i], {0.07F, 0.08F, 0.11F, ink}, pixel);
   }
   markers.draw(frame.markers, marker_size);
   for (std::size_t i = 0; i < frame.ghosts.size(); ++i) {
