@@ -135,7 +135,7 @@ void Panel::draw_entry(const Entry& entry, const PanelState& state, PanelRequest
   if (!key.unit.empty()) label.append(" [").append(key.unit).append("]");
   ImGui::TextColored(waits ? kWarning : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
   explain(key, entry.path);
-  ImGui::SameLine(0.45F * ImGui::GetWindowWidth());
+  ImGui::SameLine(0.5F * ImGui::GetWindowWidth());
   const std::optional<std::string> changed =
       draw_field(key, entry.path, entry.value, state.document.scene.dimension, edit_);
   explain(key, entry.path);

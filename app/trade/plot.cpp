@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "app/number_text.h"
@@ -132,6 +133,24 @@ std::string data_block(const std::string& name, const Series& series) {
   return text + "EOD\n";
 }
 
+// An axis of a single value is given room; gnuplot scales all others by itself.
+std::string range_of(const std::vector<Series>& all, const char* axis, double Dot::*of) {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const Series& series : all) {
+    if (of == &Dot::error && series.style.ends_with("axes x1y2")) continue;  // on an axis of their own
+    for (const Dot& dot : series.dots) {
+      low = std::min(low, dot.*of);
+      high = std::max(high, dot.*of);
+    }
+  }
+  std::string text = std::string("set ") + axis + "range [";
+  if (low < high) return text + "*:*]\n";
+  append_number(text, low / 3);
+  text += ':';
+  append_number(text, high * 3);
+  return text + "]\n";
+}
+
 // A panel as gnuplot reads it; its data go before everything.
 std::string plot_command(const std::vector<Series>& all, const std::string& prefix, std::string& data) {
   std::string plot;
@@ -143,7 +162,8 @@ std::string plot_command(const std::vector<Series>& all, const std::string& pref
     plot += (plot.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 with " + series.style + " title '" +
             escaped(series.title) + "'";
   }
-  return plot;
+  if (plot.empty()) return plot;
+  return range_of(all, "x", &Dot::seconds) + range_of(all, "y", &Dot::error) + plot;
 }
 
 }  // namespace
