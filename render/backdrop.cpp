@@ -149,8 +149,9 @@ Backdrop::Backdrop(const GladGLContext& gl, int width, int height)
     : gl_(gl),
       background_(make_program(gl, {background_vertex}, {opacity_function, background_fragment})),
       plane_(make_program(gl, {frame_block, plane_vertex}, {disc_inputs, opacity_function, plane_fragment})),
-      shade_(make_program(gl, {frame_block, plane_vertex},
-                          {frame_block, visibility_lookup, disc_inputs, opacity_function, shade_fragment})),
+      shade_(make_program(
+          gl, {frame_block, plane_vertex},
+          {visibility_reach(height), frame_block, visibility_lookup, disc_inputs, opacity_function, shade_fragment})),
       depth_(make_program(gl, {frame_block, plane_vertex}, {depth_fragment})),
       made_texture_(make_texture(gl, {GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST})),
       made_target_(make_framebuffer(gl)),

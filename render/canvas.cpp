@@ -90,9 +90,9 @@ Canvas::Canvas(const GladGLContext& gl, int width, int height, int samples)
                                (samples_ > 1 ? "sampler2DMS" : "sampler2D") + "\n";
   copy_ = make_program(gl, {cover_vertex}, {copy_fragment});
   resolve_ = make_program(gl, {cover_vertex}, {switches, resolve_fragment});
-  resolve_shaded_ =
-      make_program(gl, {cover_vertex},
-                   {switches, "#define SHADED\n", opacity_code, frame_block, visibility_lookup, resolve_fragment});
+  resolve_shaded_ = make_program(gl, {cover_vertex},
+                                 {switches, "#define SHADED\n", visibility_reach(height), opacity_code, frame_block,
+                                  visibility_lookup, resolve_fragment});
   empty_ = make_vertex_array(gl);
 }
 

@@ -151,11 +151,20 @@ GlObject make_target(const GladGLContext& gl, GLenum attachment, const GlObject&
   return target;
 }
 
+// Picture pixels per texel, so that the buffer has about 270 rows.
+int scale_for(int height) {
+  return std::max(1, (height + 135) / 270);
+}
+
 }  // namespace
+
+std::string_view visibility_reach(int height) {
+  return scale_for(height) == 1 ? "#define REACH 3\n" : "#define REACH 2\n";
+}
 
 Visibility::Visibility(const GladGLContext& gl, int width, int height)
     : gl_(gl),
-      scale_(std::max(1, (height + 135) / 270)),
+      scale_(scale_for(height)),
       width_((width + scale_ - 1) / scale_),
       height_((height + scale_ - 1) / scale_) {
   depth_ = make_texture(gl, {GL_DEPTH_COMPONENT32F, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, GL_NEAREST});

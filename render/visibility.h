@@ -9,29 +9,32 @@
 namespace render {
 
 // For the fragment stages that shade: visible gives (key light, sky), 0 to 1, at a pixel of the picture with a window
-// depth and its change from pixel to pixel. Of the four nearest texels of the visibility buffer those count that lie in
-// the pixel's own plane; window depth is linear on planes. (A software rasteriser runs both sides of a branch, and
-// loops of fixed length fastest: there is nothing to gain by skipping.)
+// depth and its change from pixel to pixel. Of the nearest texels of the visibility buffer those count that lie in the
+// pixel's own plane; window depth is linear on planes. (A software rasteriser runs both sides of a branch, and loops of
+// fixed length fastest: there is nothing to gain by skipping.) Behind visibility_reach.
 inline constexpr std::string_view visibility_lookup = R"(
 uniform sampler2D visibility;
 vec2 visible(vec2 pixel, float depth, vec2 change) {
   vec2 place = pixel * texel.xy * size.zw - 0.5;
-  vec2 base = floor(place);
-  vec2 f = place - base;
+  vec2 base = floor(place) - float(REACH - 2);
   float sharpness = eye_depth_slope(eye_depth(depth)) / (4e-3 * forward.w);
   vec2 slope = change * (size.xy * texel.zw);
   slope *= step(abs(slope) * sharpness, vec2(12.0));  // more is an edge
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < 4; ++k) {
-    vec2 step = vec2(k & 1, k >> 1);
-    vec3 v = textureLod(visibility, (base + (step + 0.5)) * texel.zw, 0.0).xyz;
-    vec2 w = mix(1.0 - f, f, step);
-    float apart = abs(v.z - depth - dot(slope, step - f));
-    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-3) / (1.0 + apart * sharpness));
+  for (int k = 0; k < REACH * REACH; ++k) {
+    vec2 at = base + vec2(k % REACH, k / REACH);
+    vec3 v = textureLod(visibility, (at + 0.5) * texel.zw, 0.0).xyz;
+    vec2 w = max(1.0 - abs(at - place), 0.0);
+    float apart = abs(v.z - depth - dot(slope, at - place)) * sharpness;
+    sum += vec3(v.xy, 1.0) * ((w.x * w.y + 1e-2) / (1.0 + apart * apart));
   }
   return sum.xy / sum.z;
 }
 )";
+
+// How many texels along each side are looked at in a picture of that height: where texels are pixels, what lies behind
+// the edge of a body finds its own plane only in the texels all around.
+std::string_view visibility_reach(int height);
 
 class Visibility {
  public:
