@@ -144,8 +144,8 @@ void Search::raise_floor() {
   for (const Score* score : scores())
     below += score->time && !score->resolved && score->run->which.axis != Axis::reference ? 1 : 0;
   if (below > 0)
-    note(std::to_string(below) + " runs are closer to the reference than ten times its uncertainty (" +
-         percent(references_.check.uncertainty) + "): their errors are given as below " + percent(floor));
+    note("runs closer to the reference than ten times its uncertainty (" + percent(references_.check.uncertainty) +
+         "): " + std::to_string(below) + "; their errors are given as below " + percent(floor));
 }
 
 const CaseRun* Search::find_finest(const std::vector<MeshChange>& changes, double seconds) {
