@@ -16,6 +16,7 @@
 #include "app/scene_text.h"
 #include "app/stopwatch.h"
 #include "app/vtu.h"
+#include "sim/useful_threads.h"
 
 namespace app {
 namespace {
@@ -31,7 +32,7 @@ class Runner {
         folder_(folder),
         sink_(sink),
         outcome_(outcome),
-        stepper_(sim::make_stepper(system_, options.threads)),
+        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, options.threads))),
         log_(system_, simulation.document.scene.probes, folder,
              start.resumed ? std::optional(start.run.state.step) : std::nullopt),
         history_(simulation, folder, start),

@@ -6,6 +6,7 @@
 #include "app/session/effect.h"
 #include "app/session/pull.h"
 #include "app/value_text.h"
+#include "sim/useful_threads.h"
 
 namespace app {
 namespace {
@@ -201,13 +202,13 @@ void Session::switch_if_due() {
   forget_solver(state_);
   history_.for_each(forget_solver);
   simulation_ = std::exchange(next_, nullptr);
-  stepper_ = sim::make_stepper(*simulation_->system, threads_);
+  stepper_ = sim::make_stepper(*simulation_->system, sim::useful_threads(*simulation_->system, threads_));
 }
 
 void Session::begin(std::shared_ptr<const Simulation> first) {
   simulation_ = std::move(first);
   next_.reset();
-  stepper_ = sim::make_stepper(*simulation_->system, threads_);
+  stepper_ = sim::make_stepper(*simulation_->system, sim::useful_threads(*simulation_->system, threads_));
   state_ = simulation_->system->initial_state();
   history_.clear();
 }

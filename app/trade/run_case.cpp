@@ -4,6 +4,7 @@
 
 #include "app/stopwatch.h"
 #include "sim/time/scheme.h"
+#include "sim/useful_threads.h"
 
 namespace app {
 namespace {
@@ -17,7 +18,7 @@ class Pass {
       : ground_(ground),
         system_(*simulation.system),
         interrupt_(interrupt),
-        stepper_(sim::make_stepper(system_, ground.options.threads)),
+        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, ground.options.threads))),
         state_(system_.initial_state()),
         steps_(ground.stretch.last * system_.steps_per_frame()) {}
 

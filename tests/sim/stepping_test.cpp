@@ -2,6 +2,7 @@
 #include "tests/sim/stepping.h"
 
 #include "sim/solve/linear_solver.h"
+#include "sim/useful_threads.h"
 
 namespace sim {
 namespace {
@@ -44,6 +45,20 @@ TEST(SameBits, ForAnyNumberOfThreads) {
       EXPECT_EQ(hash(one.state), hash(two.state)) << element << " " << linear;
       EXPECT_EQ(hash(one.state), hash(four.state)) << element << " " << linear;
     }
+}
+
+// Small bodies are stepped on one thread, which is faster; all the others share the work.
+TEST(UsefulThreads, GrowWithTheBody) {
+  int before = 0;
+  for (const int n : {1, 4, 6}) {
+    const System system(test::beam("tet4", n));
+    const int threads = useful_threads(system, 64);
+    EXPECT_EQ(threads, std::max<int>(1, static_cast<int>(system.parts().dofs()) / 1700));
+    EXPECT_EQ(useful_threads(system, 1), 1);
+    EXPECT_GE(threads, before);
+    before = threads;
+  }
+  EXPECT_GT(before, 1);
 }
 
 TEST(SameBits, FreshResetAndResumed) {
