@@ -72,7 +72,15 @@ const Score* choose(const std::vector<const Score*>& scores, const Goal& goal) {
     if (a_meets != b_meets) return a_meets;
     return a_meets ? wanted(a) < wanted(b) : limited(a) < limited(b);
   };
-  return *std::ranges::min_element(list, better);
+  const Score* const best = *std::ranges::min_element(list, better);
+  // Those that are equal within 1 % are told apart by the other number.
+  const bool met = meets(*best, goal);
+  const auto first = [&](const Score* s) { return met ? wanted(s) : limited(s); };
+  const auto second = [&](const Score* s) { return met ? limited(s) : wanted(s); };
+  const Score* chosen = best;
+  for (const Score* s : list)
+    if (meets(*s, goal) == met && first(s) <= 1.01 * first(best) && second(s) < second(chosen)) chosen = s;
+  return chosen;
 }
 
 std::string advice_toml(const TradeCase& which, const std::string& comment) {

@@ -79,6 +79,15 @@ TEST(Advice, IsTheFastestWithinTheErrorAndTheMostAccurateWithinTheTime) {
   EXPECT_EQ(chosen({}), 4);
 }
 
+// Errors that agree to a percent do not outweigh half the time, nor such times a tenth of the error.
+TEST(Advice, TakesTheBetterOfTwoThatAreEqual) {
+  const Scores scores{{4, 0.00100}, {2, 0.001001}, {1.0, 0.01}, {1.005, 0.001}};
+  const auto chosen = [&](const Goal& goal) { return choose(scores.pointers(), goal)->seconds(); };
+  EXPECT_EQ(chosen({Goal::Kind::time, 5}), 1.005);
+  EXPECT_EQ(chosen({Goal::Kind::error, 0.02}), 1.005);
+  EXPECT_EQ(chosen({Goal::Kind::error, 0.0001}), 1.005) << "nothing meets it: nearest, then fastest";
+}
+
 TEST(Advice, IsWrittenAsTables) {
   const TradeCase which{"",
                         Axis::rest,
