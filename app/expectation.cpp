@@ -52,7 +52,12 @@ std::string formatted(const char* format, Numbers... numbers) {
 Expectation::Expectation(const Options& options, const RunFolder& folder)
     : stored_(options.expect), folder_(folder), tolerated_(options.expect_difference), share_(options.expect_share) {
   if (!fs::is_directory(stored_)) throw std::runtime_error("--expect " + stored_.string() + ": is not a folder");
+  if (fs::exists(folder_.frames()) && fs::equivalent(stored_, folder_.frames())) {
+    throw std::runtime_error("--expect " + stored_.string() +
+                             ": is where this run writes its own frames; compare with frames that are kept elsewhere");
+  }
   for (const fs::directory_entry& entry : fs::directory_iterator(stored_)) {
+    if (!entry.is_regular_file()) continue;
     if (const auto number = frame_number(entry.path().filename().string())) results_[*number];
   }
   if (results_.empty()) {

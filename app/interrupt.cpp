@@ -29,12 +29,15 @@ Interrupt::Interrupt() {
   const int once = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   handle(SIGINT, request_interrupt, once, int_before_);
   handle(SIGTERM, request_interrupt, once, term_before_);
+  handle(SIGHUP, request_interrupt, once, hangup_before_);
+  if (hangup_before_.sa_handler == SIG_IGN) sigaction(SIGHUP, &hangup_before_, nullptr);
   handle(SIGXFSZ, SIG_IGN, 0, size_before_);
 }
 
 Interrupt::~Interrupt() {
   sigaction(SIGINT, &int_before_, nullptr);
   sigaction(SIGTERM, &term_before_, nullptr);
+  sigaction(SIGHUP, &hangup_before_, nullptr);
   sigaction(SIGXFSZ, &size_before_, nullptr);
 }
 

@@ -1,5 +1,7 @@
 #include "app/recorder.h"
 
+#include <array>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -24,6 +26,24 @@ std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& o
   return std::make_unique<Video>(options.video, format, options.overwrite);
 }
 
+// Frames that are gone on with keep their size. A PNG has its width and height at bytes 16 and 20, high byte first (PNG
+// specification, 11.2.1).
+void check_frame_size(const RunFolder& folder, const FrameSize& size) {
+  std::array<char, 24> head{};
+  std::ifstream file(folder.frame(0), std::ios::binary);
+  if (!file.read(head.data(), head.size())) return;
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(head[i]);
+    return value;
+  };
+  if (number(16) == size.width && number(20) == size.height) return;
+  const std::string stored = std::to_string(number(16)) + "x" + std::to_string(number(20));
+  throw std::runtime_error("--resume " + folder.path().string() + ": its frames are " + stored +
+                           ", new ones would be " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                           "; add --size " + stored);
+}
+
 }  // namespace
 
 Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options)
@@ -36,6 +56,7 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
       video_(make_video(*simulation, options)),
       sight_(make_sight(std::move(simulation), {})),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
+  if (!options.resume.empty()) check_frame_size(folder_, size_);
   if (!video_) folder_.make_folder(folder_.frames());
 }
 

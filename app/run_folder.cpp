@@ -40,7 +40,7 @@ void RunFolder::clear() const {
   }
 }
 
-void RunFolder::make_folder(const fs::path& folder) const {
+void RunFolder::make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());

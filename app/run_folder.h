@@ -42,7 +42,7 @@ class RunFolder {
   static std::string vtu_name(std::int64_t number) { return numbered("frame_", number, ".vtu"); }
 
   // Makes this folder, or frames/ or vtu/ in it, where it is not there. Throws WriteError.
-  void make_folder(const std::filesystem::path& folder) const;
+  static void make_folder(const std::filesystem::path& folder);
 
  private:
   static std::string numbered(const std::string& start, std::int64_t number, const std::string& end);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/output_file.h"
+#include "app/run_folder.h"
 
 namespace app {
 namespace {
@@ -28,10 +29,11 @@ const std::vector<std::string> kMp4 = {
     "+faststart"};
 
 // Each picture has 256 colours of its own: a palette for all of them would need all of them in memory. Players show at
-// most 50 a second.
-const std::vector<std::string> kGif = {"-filter_complex",
-                                       "fps='min(50,source_fps)',split[a][b];[a]palettegen=stats_mode=single[p];[b][p]"
-                                       "paletteuse=new=1:dither=bayer:bayer_scale=4"};
+// most 50 a second; round=up keeps the first one of a video that is shorter than that.
+const std::vector<std::string> kGif = {
+    "-filter_complex",
+    "fps='min(50,source_fps)':round=up,split[a][b];[a]palettegen=stats_mode=single[p];[b][p]"
+    "paletteuse=new=1:dither=bayer:bayer_scale=4"};
 
 bool is_gif(const std::filesystem::path& file) {
   return file.extension() == ".gif";
@@ -97,6 +99,8 @@ Video::Video(std::filesystem::path file, const VideoFormat& format, bool overwri
   if (!overwrite && std::filesystem::exists(file_)) {
     throw std::runtime_error("--video " + file_.string() + ": exists already; choose another name or add --overwrite");
   }
+  if (std::filesystem::is_directory(file_)) throw std::runtime_error("--video " + file_.string() + ": is a folder");
+  if (file_.has_parent_path()) RunFolder::make_folder(file_.parent_path());
   start(format);
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/output_file.h"
+#include "app/run_folder.h"
 #include "app/scene_text.h"
 #include "app/stopwatch.h"
 #include "app/view.h"
@@ -57,6 +58,7 @@ std::string failure_text(const sim::System& system, const sim::StepReport& repor
 Workbench::Workbench(Options options, std::unique_ptr<Session> session)
     : options_(std::move(options)), session_(std::move(session)), frames_(*session_->simulation()) {
   count_frame();
+  if (!options_.out.empty()) RunFolder::make_folder(options_.out);
   if (options_.log.empty()) return;
   if (std::filesystem::exists(options_.log) && !options_.overwrite) {
     throw WriteError(options_.log.string() + ": exists already; choose another file for --log or give --overwrite");
@@ -184,14 +186,22 @@ void Workbench::apply(const Input& input) {
 
 // A new session, with a new log.
 void Workbench::reload() {
+  std::unique_ptr<Session> session;
   try {
-    auto session = std::make_unique<Session>(options_);
-    session_ = std::move(session);
+    session = std::make_unique<Session>(options_);
   } catch (const std::runtime_error& error) {
     message_ = error.what();
     return;
   }
-  if (log_) log_ = std::make_unique<SessionLog>(options_, session_->document().scene.dimension);
+  message_ = "Read again: " + options_.scene.string();
+  if (log_) {
+    // What was logged stays; the file as it is now begins a session of its own.
+    finish();
+    options_.log = free_name(options_.log.parent_path() / options_.log.stem(), options_.log.extension().string());
+    log_ = std::make_unique<SessionLog>(options_, session->document().scene.dimension);
+    message_ += "; the log goes on in " + options_.log.string();
+  }
+  session_ = std::move(session);
   monitor_.clear();
   mouse_.drop();
   pull_to_.reset();
@@ -199,11 +209,10 @@ void Workbench::reload() {
   totals_ = {};
   frames_ = FrameHistory(*session_->simulation());
   count_frame();
-  message_ = "Read again: " + options_.scene.string();
 }
 
 void Workbench::save() {
-  const std::filesystem::path file = free_name(".toml");
+  const std::filesystem::path file = free_name(options_.out / options_.scene.stem(), ".toml");
   try {
     write_atomically(file, scene_toml(session_->document(), options_.out), true);
     message_ = "Saved: " + file.string();
@@ -212,16 +221,16 @@ void Workbench::save() {
   }
 }
 
-std::filesystem::path Workbench::free_name(const std::string& end) const {
+std::filesystem::path Workbench::free_name(const std::filesystem::path& start, const std::string& end) {
   for (int k = 1;; ++k) {
-    std::filesystem::path name = options_.out / (options_.scene.stem().string() + "-" + std::to_string(k) + end);
+    std::filesystem::path name = start.string() + "-" + std::to_string(k) + end;
     if (!std::filesystem::exists(name)) return name;
   }
 }
 
 std::optional<std::filesystem::path> Workbench::take_screenshot() {
   if (!std::exchange(screenshot_, false)) return std::nullopt;
-  std::filesystem::path file = free_name(".png");
+  std::filesystem::path file = free_name(options_.out / options_.scene.stem(), ".png");
   message_ = "Screenshot: " + file.string();
   return file;
 }

@@ -55,8 +55,8 @@ class Workbench {
   void reload();
   void save();
   void refresh_picture(double aspect);
-  // A file name in the output folder that is not taken: STEM-1.END, STEM-2.END, ...
-  std::filesystem::path free_name(const std::string& end) const;
+  // A name that is not taken: START-1END, START-2END, ...
+  static std::filesystem::path free_name(const std::filesystem::path& start, const std::string& end);
 
   Options options_;
   std::unique_ptr<Session> session_;

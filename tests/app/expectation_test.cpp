@@ -96,6 +96,9 @@ TEST_F(Expect, WhatCannotBeComparedIsSaid) {
   nowhere.expect = folder_ / "empty";
   EXPECT_NE(error_of([&] { record(nowhere); }).find("holds no frame_NNNNN.png"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "a"));
+  Options itself = expecting("stored");
+  itself.overwrite = true;
+  EXPECT_NE(error_of([&] { record(itself); }).find("writes its own frames"), std::string::npos);
   write_all(folder_ / "stored/frames/frame_00001.png", "no picture");
   const std::string message = error_of([&] { record(expecting("b")); });
   EXPECT_NE(message.find("frame_00001.png: the expected frame is not a PNG"), std::string::npos) << message;

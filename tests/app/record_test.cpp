@@ -183,6 +183,14 @@ TEST_F(Record, ResumedEqualsStraight) {
   EXPECT_TRUE(json_says(folder_ / "parts", "\"resumed_from_step\": 4"));
 }
 
+TEST_F(Record, FramesThatAreGoneOnWithKeepTheirSize) {
+  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), kDone);
+  Options larger = resumed(options("parts"));
+  const std::string size = std::to_string(larger.width) + "x" + std::to_string(larger.height);
+  larger.width += 16;
+  EXPECT_NE(error_of([&] { record(larger); }).find("add --size " + size), std::string::npos);
+}
+
 // A colour range that the scene leaves open depends on the frames before, and so do the energies over time.
 TEST_F(Record, ResumedKeepsColoursAndEnergies) {
   const auto shown = [&](const std::string& out) {

@@ -65,6 +65,12 @@ TEST(Video, AGifHasEveryPictureButNoMoreThanPlayersShow) {
     EXPECT_TRUE(found.starts_with("65,41,")) << found;
     EXPECT_TRUE(found.ends_with(std::string(",") + frames)) << found;
   }
+  {
+    Video brief(folder / "brief.gif", {65, 41, 1000, 1}, false);
+    for (int i = 0; i < 4; ++i) brief.write(grey(65, 41, 100));
+    brief.finish();
+  }
+  EXPECT_TRUE(probe(folder / "brief.gif").ends_with(",1"));
 }
 
 TEST(Video, AbandonedVideoIsStillReadable) {
@@ -93,13 +99,18 @@ TEST(Video, ExistingFileAndOtherEndingsAreRefused) {
             }).find("--overwrite"),
             std::string::npos);
   EXPECT_EQ(read_all(folder / "out.mp4"), "precious");
+  std::filesystem::create_directory(folder / "folder.mp4");
+  EXPECT_NE(error_of([&] {
+              Video(folder / "folder.mp4", {64, 48, 30, 1}, true);
+            }).find("is a folder"),
+            std::string::npos);
   EXPECT_NE(error_of([&] { Video(folder / "out.txt", {64, 48, 30, 1}, true); }).find(".mp4"), std::string::npos);
 }
 
 TEST(Video, FailureOfFfmpegIsAWriteErrorNotASignal) {
   if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   const auto record = [] {
-    Video video("/nowhere/at/all/out.mp4", {640, 480, 30, 1}, false);
+    Video video("/proc/out.mp4", {640, 480, 30, 1}, false);
     for (int i = 0; i < 50; ++i) video.write(grey(640, 480, 0));
     video.finish();
   };

@@ -135,6 +135,9 @@ TEST_F(WorkbenchTest, SavesAndReadsAgain) {
   EXPECT_EQ(bench.session().document().scene.world.gravity.y(), 0);
   EXPECT_EQ(bench.session().steps(), 0);
   EXPECT_FALSE(bench.session().document().look.wireframe);
+  EXPECT_NE(read_all(folder_ / "session.toml").find("look.wireframe"), std::string::npos) << "the log is kept";
+  EXPECT_NE(read_all(folder_ / "session.toml").find("steps = 1"), std::string::npos) << "and ended";
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "session-1.toml")) << bench.message();
   // A file that cannot be read leaves what is shown.
   write_all(folder_ / "beam.toml", "[[body]]\n");
   letter(bench, 'L', true);
