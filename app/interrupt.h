@@ -6,7 +6,8 @@
 namespace app {
 
 // While it lives, SIGINT, SIGTERM and SIGHUP set a flag instead of ending the process; a second one of the same kind
-// ends it as usual. A SIGHUP that is ignored (nohup) stays so. A full file-size quota (SIGXFSZ) becomes a write error. At most one object at a time.
+// ends it as usual. A SIGHUP that is ignored (nohup) stays so. A full file-size quota (SIGXFSZ) becomes a write error.
+// At most one object at a time.
 class Interrupt {
  public:
   Interrupt();
