@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdlib>
 #include <ostream>
 #include <thread>
 
+#include "app/cli_options.h"
 #include "app/commands.h"
 #include "app/trade/cli.h"
 
@@ -15,20 +15,6 @@ namespace {
 constexpr int kLargestSize = 8192;  // pixels; what software rasterisers draw
 constexpr int kMostThreads = 1024;
 constexpr int kMost = 1'000'000'000;  // of a count
-
-// What names a file or a folder is never empty: an unset variable of a script must not switch an option off.
-CLI::Validator a_name() {
-  return {[](const std::string& text) { return std::string(text.empty() ? "must not be empty" : ""); }, ""};
-}
-
-// 0 to 1; CLI::Range lets nan pass.
-CLI::Validator a_share() {
-  return {[](const std::string& text) {
-            const double share = std::strtod(text.c_str(), nullptr);
-            return share >= 0 && share <= 1 ? std::string() : text + " is not in the range 0 to 1";
-          },
-          "FLOAT in [0 - 1]"};
-}
 
 // KEY=VALUE; the value may hold more '='.
 void add_override(std::vector<Override>& overrides, const std::string& text) {
@@ -52,7 +38,7 @@ void read_size(Options& options, const std::string& text) {
 }
 
 void add_scene_options(CLI::App& command, Options& options) {
-  command.add_option("SCENE", options.scene, "Scene file (TOML)")->required()->check(a_name());
+  add_named(command, "SCENE", options.scene, "Scene file (TOML)", "TEXT")->required();
   command
       .add_option_function<std::string>(
           "--set", [&options](const std::string& text) { add_override(options.overrides, text); },
@@ -60,9 +46,7 @@ void add_scene_options(CLI::App& command, Options& options) {
       ->type_name("KEY=VALUE")
       ->take_all()
       ->trigger_on_parse();
-  command.add_option("--settings", options.settings, "TOML file whose keys overlay the scene")
-      ->check(a_name())
-      ->type_name("FILE");
+  add_named(command, "--settings", options.settings, "TOML file whose keys overlay the scene", "FILE");
   for (const char* const name : {"seconds", "fps"}) {
     const std::string option = std::string("--") + name;
     command
@@ -96,12 +80,8 @@ void add_scene_options(CLI::App& command, Options& options) {
 
 void add_output_options(CLI::App& command, Options& options) {
   CLI::Option* const out =
-      command.add_option("-o,--out", options.out, "Run folder; out/NAME of the scene file when not given");
-  out->check(a_name())->type_name("DIR");
-  command.add_option("--resume", options.resume, "Go on in this run folder, from its state.bin")
-      ->check(a_name())
-      ->type_name("DIR")
-      ->excludes(out);
+      add_named(command, "-o,--out", options.out, "Run folder; out/NAME of the scene file when not given", "DIR");
+  add_named(command, "--resume", options.resume, "Go on in this run folder, from its state.bin", "DIR")->excludes(out);
   command.add_flag("--overwrite", options.overwrite, "Replace what an earlier run left in the run folder");
   command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
 }
@@ -123,9 +103,8 @@ void add_picture_options(CLI::App& command, Options& options) {
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
-  command.add_option("--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif")
-      ->check(a_name())
-      ->type_name("FILE");
+  add_named(command, "--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif",
+            "FILE");
   command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
   command.add_option("--replay", options.replay, "Draw a session that `ritz view --log` has written")
       ->type_name("FILE")
@@ -134,9 +113,10 @@ void add_picture_options(CLI::App& command, Options& options) {
 }
 
 void add_expect_options(CLI::App& command, Options& options) {
-  CLI::Option* const expect = command.add_option(
-      "--expect", options.expect, "Compare with the frame_*.png of this folder; exit code 4 where one differs");
-  expect->check(a_name())->type_name("DIR")->excludes(command.get_option("--resume"));
+  CLI::Option* const expect =
+      add_named(command, "--expect", options.expect,
+                "Compare with the frame_*.png of this folder; exit code 4 where one differs", "DIR");
+  expect->excludes(command.get_option("--resume"));
   command
       .add_option("--expect-difference", options.expect_difference,
                   "Pixels are equal when no channel differs by more than this, of 255")
@@ -145,24 +125,21 @@ void add_expect_options(CLI::App& command, Options& options) {
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--expect-share", options.expect_share, "Share of the pixels that may differ")
-      ->check(CLI::Number)
-      ->check(a_share())
+      ->check(within(0, 1))
       ->needs(expect)
       ->type_name("SHARE")
       ->capture_default_str();
 }
 
 void add_trade_output_options(CLI::App& command, Options& options) {
-  command.add_option("-o,--out", options.out, "Folder; out/trade/NAME of the scene file when not given")
-      ->check(a_name())
-      ->type_name("DIR");
+  add_named(command, "-o,--out", options.out, "Folder; out/trade/NAME of the scene file when not given", "DIR");
   command.add_flag("--overwrite", options.overwrite, "Measure anew what an earlier trade left in the folder");
 }
 
 void add_stress_options(CLI::App& command, Options& options) {
   add_scene_options(command, options);
   command.get_option("SCENE")->required(false);
-  command.add_option("-o,--out", options.out, "Folder of stress.csv [out/stress]")->check(a_name())->type_name("DIR");
+  add_named(command, "-o,--out", options.out, "Folder of stress.csv [out/stress]", "DIR");
   command.add_flag("--overwrite", options.overwrite, "Replace the stress.csv of an earlier run");
   command.add_flag("--quick", options.quick, "A part of the matrix, under a minute");
   command.add_option("--seeds", options.seeds, "Run each case so often, with seeds from --seed on")
@@ -176,13 +153,10 @@ void add_stress_options(CLI::App& command, Options& options) {
 
 void add_window_options(CLI::App& command, Options& options) {
   add_size_options(command, options, "Size of the window in pixels [1280x720]");
-  command.add_option("--log", options.log, "Write every input with its step, for ritz record --replay")
-      ->check(a_name())
-      ->type_name("FILE");
+  add_named(command, "--log", options.log, "Write every input with its step, for ritz record --replay", "FILE");
   command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
-  command.add_option("-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given")
-      ->check(a_name())
-      ->type_name("DIR");
+  add_named(command, "-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given",
+            "DIR");
 }
 
 }  // namespace

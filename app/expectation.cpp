@@ -82,7 +82,7 @@ void Expectation::compare(std::int64_t frame, const render::Image& drawn) {
   result.share = difference.share;
   result.equal = difference.share <= share_;
   if (result.equal) return;
-  folder_.make_folder(folder_.differences());
+  make_folder(folder_.differences());
   const fs::path picture = folder_.difference(frame);
   write_atomically(picture, as_text(render::encode_png(render::difference_picture(drawn, stored, tolerated_))), false);
   result.words = formatted("%.3g %% of the pixels differ by more than %d (allowed: %.3g %%), the most by %d; see ",

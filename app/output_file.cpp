@@ -88,6 +88,15 @@ void OutputFile::fail() const {
   throw_write_error(path_, errno);
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());
+  if (!std::filesystem::is_directory(folder)) {
+    throw WriteError("cannot make the folder " + folder.string() + ": it is a file");
+  }
+}
+
 void write_atomically(const std::filesystem::path& path, std::string_view bytes, bool durable) {
   const std::filesystem::path temporary = path.string() + ".tmp";
   try {

@@ -41,6 +41,9 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
+// Makes a folder, with those around it, where it is not there. Throws WriteError.
+void make_folder(const std::filesystem::path& folder);
+
 // Replaces the file at `path`: writes a temporary name beside it and renames that, so that whoever reads, or whenever
 // this process is killed, there is the old content or the new one, whole. With `durable` it survives a power cut too.
 // Throws WriteError; the temporary file is then removed.

@@ -28,16 +28,18 @@ std::unique_ptr<Video> make_video(const Simulation& simulation, const Options& o
 
 // Frames that are gone on with keep their size. A PNG has its width and height at bytes 16 and 20, high byte first (PNG
 // specification, 11.2.1).
-void check_frame_size(const RunFolder& folder, const FrameSize& size) {
+FrameSize frame_size(const Options& options, const RunFolder& folder) {
+  const FrameSize size(options);
+  if (options.resume.empty()) return size;
   std::array<char, 24> head{};
   std::ifstream file(folder.frame(0), std::ios::binary);
-  if (!file.read(head.data(), head.size())) return;
+  if (!file.read(head.data(), head.size())) return size;
   const auto number = [&](std::size_t at) {
     int value = 0;
     for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(head[i]);
     return value;
   };
-  if (number(16) == size.width && number(20) == size.height) return;
+  if (number(16) == size.width && number(20) == size.height) return size;
   const std::string stored = std::to_string(number(16)) + "x" + std::to_string(number(20));
   throw std::runtime_error("--resume " + folder.path().string() + ": its frames are " + stored +
                            ", new ones would be " + std::to_string(size.width) + "x" + std::to_string(size.height) +
@@ -48,7 +50,7 @@ void check_frame_size(const RunFolder& folder, const FrameSize& size) {
 
 Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options)
     : folder_(folder),
-      size_(options),
+      size_(frame_size(options, folder)),
       every_(options.every),
       last_frame_(simulation->last_frame()),
       still_(options.still),
@@ -56,8 +58,7 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
       video_(make_video(*simulation, options)),
       sight_(make_sight(std::move(simulation), {})),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
-  if (!options.resume.empty()) check_frame_size(folder_, size_);
-  if (!video_) folder_.make_folder(folder_.frames());
+  if (!video_) make_folder(folder_.frames());
 }
 
 std::shared_ptr<const Sight> Recorder::make_sight(std::shared_ptr<const Simulation> simulation,

@@ -40,13 +40,6 @@ void RunFolder::clear() const {
   }
 }
 
-void RunFolder::make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());
-  if (!fs::is_directory(folder)) throw WriteError("cannot make the folder " + folder.string() + ": it is a file");
-}
-
 std::string RunFolder::numbered(const std::string& start, std::int64_t number, const std::string& end) {
   char digits[24];
   std::snprintf(digits, sizeof digits, "%05lld", static_cast<long long>(number));

@@ -41,9 +41,6 @@ class RunFolder {
   static std::string frame_name(std::int64_t number) { return numbered("frame_", number, ".png"); }
   static std::string vtu_name(std::int64_t number) { return numbered("frame_", number, ".vtu"); }
 
-  // Makes this folder, or frames/ or vtu/ in it, where it is not there. Throws WriteError.
-  static void make_folder(const std::filesystem::path& folder);
-
  private:
   static std::string numbered(const std::string& start, std::int64_t number, const std::string& end);
   // The files of an earlier run in it, in the order of their names.

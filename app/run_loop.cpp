@@ -10,6 +10,7 @@
 
 #include "app/frame_history.h"
 #include "app/interrupt.h"
+#include "app/output_file.h"
 #include "app/progress.h"
 #include "app/run_json.h"
 #include "app/run_log.h"
@@ -38,7 +39,7 @@ class Runner {
         history_(simulation, folder, start),
         progress_(std::cerr, progress_style(options.quiet),
                   {start.run.state.step, simulation.last_step(), system_.step_seconds()}, Progress::Clock::now()) {
-    if (vtu_every_ > 0) folder_.make_folder(folder_.vtu_folder());
+    if (vtu_every_ > 0) make_folder(folder_.vtu_folder());
   }
 
   // The initial state, of a run that was not resumed.
@@ -155,7 +156,7 @@ class Runner {
 Outcome run_loop(const Simulation& simulation, const Options& options, const RunFolder& folder, const Start& start,
                  FrameSink& sink) {
   const Stopwatch watch;
-  folder.make_folder(folder.path());
+  make_folder(folder.path());
   if (!start.resumed) folder.clear();
   if (!options.quiet) {
     for (const std::string& remark : simulation.remarks()) std::cerr << "note: " << remark << '\n';

@@ -96,9 +96,7 @@ std::filesystem::path csv_path(const Options& options) {
   std::filesystem::path file = folder / "stress.csv";
   if (!options.overwrite && std::filesystem::exists(file))
     throw std::runtime_error(file.string() + ": exists already; choose another folder with -o, or --overwrite");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());
+  make_folder(folder);
   return file;
 }
 

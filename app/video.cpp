@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "app/output_file.h"
-#include "app/run_folder.h"
 
 namespace app {
 namespace {
@@ -100,7 +99,7 @@ Video::Video(std::filesystem::path file, const VideoFormat& format, bool overwri
     throw std::runtime_error("--video " + file_.string() + ": exists already; choose another name or add --overwrite");
   }
   if (std::filesystem::is_directory(file_)) throw std::runtime_error("--video " + file_.string() + ": is a folder");
-  if (file_.has_parent_path()) RunFolder::make_folder(file_.parent_path());
+  if (file_.has_parent_path()) make_folder(file_.parent_path());
   start(format);
 }
 

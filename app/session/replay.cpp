@@ -132,7 +132,7 @@ int replay(const Options& options) {
   Session session(used);
   const double building = watch.seconds();
   const RunFolder folder = open_run_folder(used);
-  folder.make_folder(folder.path());
+  make_folder(folder.path());
   folder.clear();
   Outcome outcome;
   Recorder recorder(session.simulation(), folder, used);

@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli_options.h"
+
 namespace app {
 
 void add_trade_options(CLI::App& command, TradeOptions& options) {
   CLI::Option* const minutes = command.add_option("--minutes", options.minutes, "Wall time that may be taken")
-                                   ->check(CLI::Range(0.05, 1e5))
+                                   ->check(within(0.05, 1e5))
                                    ->type_name("M")
                                    ->capture_default_str();
   command.add_flag("--quick", options.quick, "Under one minute")->excludes(minutes);
@@ -19,11 +21,10 @@ void add_trade_options(CLI::App& command, TradeOptions& options) {
       ->type_name("TIME")
       ->excludes(target);
   command.add_flag("--keep-mesh", options.keep_mesh, "Try no other mesh: --target bounds the time error");
-  command.add_option("--compare", options.compare, "A second scene, or settings over this one, on the same diagram")
-      ->type_name("FILE");
+  add_named(command, "--compare", options.compare, "A second scene, or settings over this one, on the same diagram",
+            "FILE");
   CLI::Option* const jobs = command.add_flag("--jobs", options.jobs, "List the cases that can be run independently");
-  CLI::Option* const one =
-      command.add_option("--case", options.one_case, "Run one of them")->type_name("K")->excludes(jobs);
+  CLI::Option* const one = add_named(command, "--case", options.one_case, "Run one of them", "K")->excludes(jobs);
   command.add_flag("--collect", options.collect, "Table and advice from the cases that were run")
       ->excludes(jobs)
       ->excludes(one);

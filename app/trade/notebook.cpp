@@ -28,9 +28,7 @@ std::string file_name(std::uint64_t id) {
 Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
                    const Interrupt& interrupt)
     : ground_(ground), folder_(std::move(folder)), seconds_(seconds), out_(out), interrupt_(interrupt) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw WriteError("cannot make the folder " + folder_.string() + ": " + error.message());
+  make_folder(folder_);
 }
 
 std::filesystem::path Notebook::file(std::uint64_t id) const {

@@ -49,9 +49,8 @@ void take_folder(const std::filesystem::path& folder, std::uint64_t identity, bo
     throw std::runtime_error(folder.string() +
                              ": holds the trade of another scene, or of other settings; choose another folder with "
                              "-o, or replace it with --overwrite");
+  make_folder(folder / "cases");
   std::error_code error;
-  std::filesystem::create_directories(folder / "cases", error);
-  if (error) throw WriteError("cannot make the folder " + folder.string() + ": " + error.message());
   if (overwrite) std::filesystem::remove(folder / "plan.toml", error);
   if (held != mine || overwrite) write_atomically(file, mine + "\n", false);
 }

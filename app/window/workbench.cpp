@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/output_file.h"
-#include "app/run_folder.h"
 #include "app/scene_text.h"
 #include "app/stopwatch.h"
 #include "app/view.h"
@@ -58,7 +57,7 @@ std::string failure_text(const sim::System& system, const sim::StepReport& repor
 Workbench::Workbench(Options options, std::unique_ptr<Session> session)
     : options_(std::move(options)), session_(std::move(session)), frames_(*session_->simulation()) {
   count_frame();
-  if (!options_.out.empty()) RunFolder::make_folder(options_.out);
+  if (!options_.out.empty()) make_folder(options_.out);
   if (options_.log.empty()) return;
   if (std::filesystem::exists(options_.log) && !options_.overwrite) {
     throw WriteError(options_.log.string() + ": exists already; choose another file for --log or give --overwrite");

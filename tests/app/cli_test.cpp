@@ -130,6 +130,8 @@ TEST(CommandLine, MistakesAreBadInput) {
       {"record", "a.toml", "--expect", ""},
       {"record", "a.toml", "--expect", "d", "--expect-share", "nan"},
       {"view", "a.toml", "--log", ""},
+      {"trade", "a.toml", "--minutes", "nan"},
+      {"trade", "a.toml", "--compare", ""},
       {"run", "a.toml", "--size", "1x1"},
       {"run", "a.toml", "--resume", "d", "-o", "e"},
       {"explain", "a.toml", "-o", "d"},

@@ -12,7 +12,7 @@ TEST(RunFolder, IsMadeWithItsParents) {
   const TemporaryFolder temporary;
   const RunFolder folder(temporary / "out" / "bear", Existing::refuse);
   EXPECT_FALSE(std::filesystem::exists(temporary / "out"));  // a run that cannot begin leaves nothing
-  folder.make_folder(folder.path());
+  make_folder(folder.path());
   EXPECT_TRUE(std::filesystem::is_directory(temporary / "out" / "bear"));
   EXPECT_EQ(folder.frame(7), temporary / "out" / "bear" / "frames" / "frame_00007.png");
   EXPECT_EQ(folder.frame(123456).filename(), "frame_123456.png");
@@ -68,7 +68,7 @@ TEST(RunFolder, AFileInTheWayIsNamed) {
   write_all(temporary / "out", "a file");
   for (const std::filesystem::path& path : {temporary / "out", temporary / "out" / "deeper"}) {
     const RunFolder folder(path, Existing::refuse);
-    EXPECT_THROW(folder.make_folder(path), WriteError);
+    EXPECT_THROW(make_folder(path), WriteError);
   }
 }
 
