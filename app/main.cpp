@@ -6,8 +6,9 @@
 #include <iostream>
 #include <new>
 
-#include "app/cli.h"
-#include "app/commands.h"
+#include "app/base/exit_code.h"
+#include "app/command/cli.h"
+#include "app/command/commands.h"
 
 namespace {
 

@@ -1,12 +1,15 @@
-// What a step has to say about itself.
+// What a system and its steps have to say about themselves.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "sim/math/vec3.h"
+
 namespace sim {
 
+// What a step has to say about itself.
 struct StepReport {
   std::int64_t step = 0;  // the step that was taken: 1 is the first
   int newton = 0;         // Newton iterations, all stages
@@ -25,6 +28,27 @@ struct StepReport {
   std::string failure;      // empty, or why the step could not be taken (the state is then unchanged)
   // Seconds by phase; for the eye only, nothing is decided by them.
   double seconds = 0, seconds_assemble = 0, seconds_solve = 0;
+};
+
+// One line of `ritz explain`: a term of the energy that this scene has.
+struct TermInfo {
+  std::string name;  // "elastic beam stable-neo-hookean tet4"
+  std::string what;  // "1536 elements, 1536 points", "81 nodes"
+};
+
+// Energies [J], momenta [kg m/s, kg m^2/s about the origin].
+struct Measures {
+  double kinetic = 0, elastic = 0, potential = 0;  // potential: gravity, tractions, springs, obstacles
+  Vec3 p = {0, 0, 0}, L = {0, 0, 0};
+};
+
+// von Mises Cauchy stress [Pa], largest principal stretch, Psi [J/m^3], det F
+enum class Quantity { stress, stretch, energy, J };
+
+struct Counts {
+  int nodes = 0, elements = 0, dofs = 0, free_dofs = 0;
+  std::int64_t nonzeros = 0;  // of the matrix; 0 when the scene forms none
+  std::int64_t bytes = 0;     // estimate of the memory a run needs
 };
 
 }  // namespace sim

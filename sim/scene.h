@@ -2,26 +2,17 @@
 // SI units. Vectors have three numbers; in a 2D scene the third is zero and means nothing.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "sim/math/vec3.h"
 #include "sim/mesh/mesh.h"
+#include "sim/mesh/region.h"
 
 namespace sim {
-
-using Vec3 = Eigen::Vector3d;
-
-// Input that cannot be built. `key` is the path of the scene key at fault ("body.0.pin.0"), so that the
-// program can say file and line.
-struct InputError : std::runtime_error {
-  std::string key;
-  InputError(std::string key_, const std::string& what_) : std::runtime_error(what_), key(std::move(key_)) {}
-};
 
 struct Time {
   double seconds = 2.0;  // s, simulated
@@ -51,19 +42,6 @@ struct MaterialSpec {
   double density = 1000;                     // kg/m^3, > 0
   std::string group;                         // "" = the whole body, else the region of the mesh that has this material
 };
-
-// Where: nodes inside a box or a sphere at rest, or a group of the mesh.
-struct Box {
-  Vec3 low, high;
-};
-struct Sphere {
-  Vec3 centre;
-  double radius = 0;
-};
-struct InGroup {
-  std::string name;
-};
-using Region = std::variant<Box, Sphere, InGroup>;
 
 // A pose along a script: rotate about an axis through a centre, then translate. Linear in between.
 struct Keyframe {

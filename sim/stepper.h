@@ -1,22 +1,19 @@
-// Advances a State by one step of the scene's integrator. Owns the scratch memory; allocates in the first step only.
+// Makes the stepper of a system.
 #pragma once
 
 #include <memory>
 
-#include "sim/report.h"
 #include "sim/system.h"
+#include "sim/time/stepper.h"
 
 namespace sim {
-
-class Stepper {
- public:
-  virtual ~Stepper() = default;
-  // Takes one step. On failure (report.failure not empty) the state is left as it was.
-  virtual StepReport step(State& state) = 0;
-};
 
 // The stepper that the scene's integrator and solver name. `system` must outlive it.
 // threads >= 1: the bits of the result do not depend on it.
 std::unique_ptr<Stepper> make_stepper(const System& system, int threads);
+
+// At most `threads`, and no more than have something to do: a thread sleeps between loops and takes some 50 us to wake,
+// in which another is done with the loop of a small body.
+int useful_threads(const System& system, int threads);
 
 }  // namespace sim

@@ -2,10 +2,9 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/build.h"
-#include "sim/parts.h"
+#include "sim/build/build.h"
 #include "sim/solve/linear_solver.h"
-#include "sim/stable_step.h"
+#include "sim/time/stable_step.h"
 
 namespace sim {
 
@@ -13,60 +12,65 @@ System::System(const Scene& scene, int threads) : parts_(build(scene, threads)) 
 System::~System() = default;
 System::System(System&&) noexcept = default;
 
+const Parts& parts_of(const System& system) {
+  return *system.parts_;
+}
+
 int System::dimension() const {
-  return parts_->D;
+  return parts_->model.D;
 }
 double System::step_seconds() const {
-  return parts_->h();
+  return parts_->model.h();
 }
 int System::steps_per_frame() const {
-  return parts_->time.substeps;
+  return parts_->model.time.substeps;
 }
 double System::time(std::int64_t step) const {
-  return parts_->t(step);
+  return parts_->model.t(step);
 }
 std::span<const BodyRange> System::bodies() const {
-  return parts_->ranges;
+  return parts_->model.ranges;
 }
 std::vector<std::string> System::remarks() const {
   return parts_->remarks;
 }
 double System::stable_step() const {
-  return sim::stable_step(*parts_);
+  return sim::stable_step(parts_->model);
 }
 std::vector<int> System::pinned_nodes(double t) const {
-  return parts_->pins.nodes(t);
+  return parts_->model.pins.nodes(t);
 }
 
 std::vector<TermInfo> System::terms() const {
   std::vector<TermInfo> all;
-  for (const auto& term : parts_->terms) all.push_back(term->info());
+  for (const auto& term : parts_->model.terms) all.push_back(term->info());
   return all;
 }
 
 Counts System::counts() const {
   Counts c;
-  c.nodes = parts_->node_count;
-  for (const BodyRange& range : parts_->ranges) c.elements += range.element_count;
-  c.dofs = static_cast<int>(parts_->dofs());
-  Eigen::VectorXd free(parts_->dofs());
-  parts_->pins.mark(0, free);
+  c.nodes = parts_->model.node_count;
+  for (const BodyRange& range : parts_->model.ranges) c.elements += range.element_count;
+  c.dofs = static_cast<int>(parts_->model.dofs());
+  Eigen::VectorXd free(parts_->model.dofs());
+  parts_->model.pins.mark(0, free);
   c.free_dofs = static_cast<int>(free.sum());
-  if (parts_->pattern) c.nonzeros = static_cast<std::int64_t>(parts_->pattern->blocks()) * parts_->D * parts_->D;
+  if (parts_->model.pattern)
+    c.nonzeros = static_cast<std::int64_t>(parts_->model.pattern->blocks()) * parts_->model.D * parts_->model.D;
   // Vectors of the state and of the solver, the matrix with its factor (fill of about 12 times is usual for solids).
   c.bytes = 40ll * 8 * c.dofs + 13ll * 12 * c.nonzeros;
-  for (const auto& term : parts_->elastic) c.bytes += term->bytes();
+  for (const ElasticPart& part : parts_->model.elastic) c.bytes += part.term->bytes();
   return c;
 }
 
 State System::initial_state() const {
   State state;
-  state.x = parts_->x_start;
-  state.v.resize(parts_->dofs());
-  const int D = parts_->D;
-  for (std::size_t b = 0; b < parts_->bodies.size(); ++b) {
-    const Body& body = parts_->bodies[b];
-    const Mass& mass = parts_->masses[b];
+  state.x = parts_->model.x_start;
+  state.v.resize(parts_->model.dofs());
+  const int D = parts_->model.D;
+  for (std::size_t b = 0; b < parts_->model.bodies.size(); ++b) {
+    const Body& body = parts_->model.bodies[b];
+    const Mass& mass = parts_->model.masses[b];
     Vec3 centre = Vec3::Zero();
     const auto place = [&](int node) {
       Vec3 X = Vec3::Zero();
@@ -82,17 +86,17 @@ State System::initial_state() const {
       state.v.segment(static_cast<Eigen::Index>(node) * D, D) = v.head(D);
     }
   }
-  parts_->pins.prescribe(0, state.x, state.v);
+  parts_->model.pins.prescribe(0, state.x, state.v);
   return state;
 }
 
 Measures System::measure(const State& state) const {
   Measures m;
-  const int D = parts_->D;
-  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(parts_->dofs());
-  for (const Mass& mass : parts_->masses) mass.add_product(1, state.v, momentum, D);
+  const int D = parts_->model.D;
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(parts_->model.dofs());
+  for (const Mass& mass : parts_->model.masses) mass.add_product(1, state.v, momentum, D);
   m.kinetic = 0.5 * state.v.dot(momentum);
-  for (int node = 0; node < parts_->node_count; ++node) {
+  for (int node = 0; node < parts_->model.node_count; ++node) {
     const Eigen::Index at = static_cast<Eigen::Index>(node) * D;
     Vec3 x = Vec3::Zero(), p = Vec3::Zero();
     x.head(D) = state.x.segment(at, D);
@@ -101,10 +105,9 @@ Measures System::measure(const State& state) const {
     m.L += x.cross(p);
   }
   const Motion motion{state.x, state.v, time(state.step), 0};
-  for (const auto& term : parts_->terms) {
-    const auto store = term->make_store(parts_->threads);
-    const bool elastic = dynamic_cast<const ElasticTerm*>(term.get());
-    (elastic ? m.elastic : m.potential) += term->energy(motion, *store);
+  for (const auto& term : parts_->model.terms) {
+    const auto store = term->make_store(parts_->model.threads);
+    (term->role() == Role::elastic ? m.elastic : m.potential) += term->energy(motion, *store);
   }
   return m;
 }
@@ -114,21 +117,21 @@ Vec3 System::probe_position(const State& state, int probe) const {
   Vec3 x = Vec3::Zero();
   for (std::size_t a = 0; a < place.point.weights.size(); ++a) {
     const int node = place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element);
-    x.head(parts_->D) +=
-        place.point.weights[a] * state.x.segment(static_cast<Eigen::Index>(node) * parts_->D, parts_->D);
+    x.head(parts_->model.D) +=
+        place.point.weights[a] * state.x.segment(static_cast<Eigen::Index>(node) * parts_->model.D, parts_->model.D);
   }
   return x;
 }
 
 Vec3 System::probe_displacement(const State& state, int probe) const {
   State moved;
-  moved.x = state.x - parts_->X;
+  moved.x = state.x - parts_->model.X;
   return probe_position(moved, probe);
 }
 
 Eigen::VectorXd System::node_values(const State& state, Quantity quantity) const {
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(parts_->node_count), weights = sums;
-  for (const ElasticTerm* term : parts_->elastic) term->add_node_values(state.x, quantity, sums, weights);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(parts_->model.node_count), weights = sums;
+  for (const ElasticPart& part : parts_->model.elastic) part.term->add_node_values(state.x, quantity, sums, weights);
   return (weights.array() > 0).select(sums.array() / weights.array().max(1e-300), 0.0);
 }
 

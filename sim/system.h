@@ -6,44 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "sim/body/body_range.h"
+#include "sim/mesh/input_error.h"
+#include "sim/report.h"
 #include "sim/scene.h"
 #include "sim/state.h"
 
 namespace sim {
 
-// Where a body's nodes and elements lie in the system's numbering.
-struct BodyRange {
-  std::string name;
-  int first_node = 0, node_count = 0;
-  int first_element = 0, element_count = 0;
-  double size = 0;             // longest side of the rest bounding box, m
-  const Mesh* mesh = nullptr;  // rest mesh, owned by the system; node and element numbers are the body's own
-};
-
-// One line of `ritz explain`: a term of the energy that this scene has.
-struct TermInfo {
-  std::string name;  // "elastic beam stable-neo-hookean tet4"
-  std::string what;  // "1536 elements, 1536 points", "81 nodes"
-};
-
-// Energies [J], momenta [kg m/s, kg m^2/s about the origin].
-struct Measures {
-  double kinetic = 0, elastic = 0, potential = 0;  // potential: gravity, tractions, springs, obstacles
-  Vec3 p = {0, 0, 0}, L = {0, 0, 0};
-};
-
-enum class Quantity {
-  stress,
-  stretch,
-  energy,
-  J
-};  // von Mises Cauchy stress [Pa], largest principal stretch, Psi [J/m^3], det F
-
-struct Counts {
-  int nodes = 0, elements = 0, dofs = 0, free_dofs = 0;
-  std::int64_t nonzeros = 0;  // of the matrix; 0 when the scene forms none
-  std::int64_t bytes = 0;     // estimate of the memory a run needs
-};
+struct Parts;  // sim/build/parts.h
 
 class System {
  public:
@@ -70,8 +41,8 @@ class System {
   Eigen::VectorXd node_values(const State& state, Quantity quantity) const;
   std::vector<int> pinned_nodes(double t) const;
 
-  struct Parts;  // what terms, solvers and steppers share: sim/parts.h
-  const Parts& parts() const { return *parts_; }
+  // For steppers and for what studies a system from outside.
+  friend const Parts& parts_of(const System& system);
 
  private:
   std::unique_ptr<Parts> parts_;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/value_text.h"
+#include "app/scene/value_text.h"
 
 namespace app {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/keys.h"
+#include "app/scene/keys.h"
 
 namespace app {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/key_reference.h"
 #include "app/panel/plots.h"
 #include "app/panel/sections.h"
+#include "app/scene/key_reference.h"
 #include "app/session/effect.h"
 
 namespace app {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/document.h"
-#include "app/options.h"
+#include "app/options/options.h"
 #include "app/panel/field.h"
 #include "app/panel/sections.h"
+#include "app/scene/document.h"
 #include "app/session/input.h"
 #include "app/session/monitor.h"
 #include "sim/system.h"

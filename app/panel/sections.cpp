@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "app/key_positions.h"
+#include "app/scene/key_positions.h"
 
 namespace app {
 namespace {

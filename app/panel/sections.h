@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/keys.h"
+#include "app/scene/keys.h"
 
 namespace app {
 

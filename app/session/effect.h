@@ -1,7 +1,7 @@
 // What a change of a key does to a run that is under way.
 #pragma once
 
-#include "app/keys.h"
+#include "app/scene/keys.h"
 
 namespace app {
 

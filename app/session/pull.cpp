@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/scene_error.h"
+#include "app/scene/scene_error.h"
 
 namespace app {
 

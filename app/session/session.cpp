@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/value_text.h"
 #include "app/session/effect.h"
 #include "app/session/pull.h"
-#include "app/value_text.h"
-#include "sim/useful_threads.h"
+#include "sim/stepper.h"
 
 namespace app {
 namespace {

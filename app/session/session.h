@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/simulation.h"
 #include "app/session/history.h"
 #include "app/session/input.h"
-#include "app/simulation.h"
 #include "sim/stepper.h"
 
 namespace app {

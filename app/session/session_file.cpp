@@ -7,11 +7,11 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "app/files/contents.h"
-#include "app/files/error.h"
-#include "app/nearest.h"
-#include "app/scene_error.h"
-#include "app/scene_value.h"
+#include "app/base/nearest.h"
+#include "app/mesh/contents.h"
+#include "app/mesh/error.h"
+#include "app/scene/scene_error.h"
+#include "app/scene/scene_value.h"
 
 namespace app {
 namespace {

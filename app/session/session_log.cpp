@@ -1,7 +1,7 @@
 #include "app/session/session_log.h"
 
-#include "app/hexadecimal.h"
-#include "app/value_text.h"
+#include "app/base/hexadecimal.h"
+#include "app/scene/value_text.h"
 
 namespace app {
 namespace {

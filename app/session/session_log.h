@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "app/options.h"
-#include "app/output_file.h"
+#include "app/base/output_file.h"
+#include "app/options/options.h"
 #include "app/session/input.h"
 #include "sim/state.h"
 

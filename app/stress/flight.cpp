@@ -24,7 +24,7 @@ sim::Scene body(std::string_view scheme, bool flying) {
   scene.world.gravity = {0, 0, 0};
   scene.time.integrator = scheme;
   const sim::Scheme& integrator = *sim::find_scheme(scheme);
-  scene.time.substeps = integrator.stages.empty() ? 0 : 1;
+  scene.time.substeps = integrator.is_explicit() ? 0 : 1;
   // Of one iteration it is that of the linear solve.
   scene.solver.tolerance = integrator.one_iteration ? 1e-14 : 1e-10;
   scene.solver.on_failure = "accept";

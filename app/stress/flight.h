@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/flight_drift.h"
+#include "sim/study/flight_drift.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // Materials: stiffness, compressibility, contrast and damping, from a scrambled start.
 #include <algorithm>
 
-#include "app/number_text.h"
+#include "app/base/number_text.h"
 #include "app/stress/extremes.h"
 
 namespace app {

@@ -1,5 +1,5 @@
 // Starts: every shape of the table, with its defaults.
-#include "sim/start/start.h"
+#include "sim/body/start.h"
 
 #include "app/stress/extremes.h"
 

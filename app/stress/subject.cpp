@@ -41,7 +41,7 @@ Subject subject(std::string_view element, bool sheet, std::string_view material,
   s.scene.bodies = {body};
   s.scene.world.gravity = {0, 0, 0};
   s.scene.time.integrator = s.scheme;
-  if (sim::find_scheme(scheme)->stages.empty()) s.scene.time.substeps = 0;
+  if (sim::find_scheme(scheme)->is_explicit()) s.scene.time.substeps = 0;
   return s;
 }
 

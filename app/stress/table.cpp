@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <map>
 
-#include "app/number_text.h"
+#include "app/base/number_text.h"
 
 namespace app {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/stress/case.h"
-#include "sim/recovery.h"
+#include "sim/study/recovery.h"
 
 namespace app {
 

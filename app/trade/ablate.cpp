@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <iostream>
 
-#include "app/commands.h"
-#include "app/number_text.h"
-#include "app/output_file.h"
+#include "app/base/exit_code.h"
+#include "app/base/number_text.h"
+#include "app/base/output_file.h"
 #include "app/trade/features.h"
 #include "app/trade/score.h"
 #include "app/trade/trade.h"

@@ -1,7 +1,7 @@
 // `ritz trade --ablate`: what each feature of a scene costs, and what it changes.
 #pragma once
 
-#include "app/options.h"
+#include "app/options/options.h"
 
 namespace app {
 

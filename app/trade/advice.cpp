@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "app/value_text.h"
-#include "sim/compare/front.h"
+#include "app/scene/value_text.h"
+#include "sim/study/front.h"
 
 namespace app {
 namespace {

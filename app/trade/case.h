@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/options.h"
-#include "sim/compare/trajectory.h"
+#include "app/options/options.h"
+#include "sim/study/trajectory.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstring>
 
-#include "app/value_text.h"
-#include "app/version.h"
+#include "app/base/version.h"
+#include "app/scene/value_text.h"
 
 namespace app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/trade/features.h"
 
-#include "app/scene_text.h"
+#include "app/scene/scene_text.h"
 #include "sim/element/element.h"
 #include "sim/time/scheme.h"
 
@@ -40,7 +40,7 @@ void add_obstacle_features(const Document& scene, std::vector<TradeCase>& list) 
 
 void add_step_features(const Document& scene, std::vector<TradeCase>& list) {
   const sim::Scheme& scheme = *sim::find_scheme(scene.scene.time.integrator);
-  if (scheme.stages.empty()) return;
+  if (scheme.is_explicit()) return;
   if (scheme.order == 2)
     list.push_back(without("second order in time (backward-euler instead)", "time.integrator", "backward-euler"));
   if (scheme.order == 1 && !scheme.one_iteration)

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/trade/trade_options.h"
+#include "app/options/trade_options.h"
 #include "sim/scene.h"
 
 namespace app {

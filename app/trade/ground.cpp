@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/checksum.h"
-#include "app/version.h"
-#include "app/view.h"
+#include "app/base/checksum.h"
+#include "app/base/version.h"
+#include "app/picture/view.h"
 
 namespace app {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "app/simulation.h"
+#include "app/scene/simulation.h"
 #include "app/trade/case.h"
 #include "render/view.h"
-#include "sim/compare/sample.h"
+#include "sim/study/sample.h"
 
 namespace app {
 

@@ -89,7 +89,7 @@ std::vector<TradeCase> time_cases(const Document& scene, int depth) {
   std::vector<std::string_view> names(std::begin(first), std::end(first));
   for (const sim::Scheme& scheme : sim::schemes()) {
     const bool listed = scheme.name == first[0] || scheme.name == first[1];
-    if (!scheme.stages.empty() && !scheme.is_static && !listed) names.push_back(scheme.name);
+    if (!scheme.is_explicit() && !scheme.is_static && !listed) names.push_back(scheme.name);
   }
   std::vector<TradeCase> list;
   for (int substeps = 1; substeps <= depth; substeps *= 2)
@@ -100,7 +100,7 @@ std::vector<TradeCase> time_cases(const Document& scene, int depth) {
 std::vector<TradeCase> explicit_cases() {
   std::vector<TradeCase> list;
   for (const sim::Scheme& scheme : sim::schemes()) {
-    if (!scheme.stages.empty()) continue;
+    if (!scheme.is_explicit()) continue;
     const std::string name(scheme.name);
     list.push_back({name + " h=auto", Axis::time, {{"time.integrator", name}, {"time.substeps", "\"auto\""}}});
   }
@@ -112,7 +112,7 @@ std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around
   TradeCase start = around;
   start.axis = Axis::rest;
   const std::string integrator = setting(around, "time.integrator", scene.scene.time.integrator);
-  const bool implicit = !sim::find_scheme(integrator)->stages.empty();
+  const bool implicit = !sim::find_scheme(integrator)->is_explicit();
   if (implicit) add_solver_cases(scene.scene.solver, start, list);
   if (implicit && lags(scene.scene) && scene.scene.solver.lag_iterations == 0) list.push_back(lagging(start));
   const auto mass = [](const sim::Body& body) { return body.mass; };

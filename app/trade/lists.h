@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/document.h"
+#include "app/scene/document.h"
 #include "app/trade/case.h"
 
 namespace app {

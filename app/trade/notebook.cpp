@@ -5,10 +5,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/output_file.h"
-#include "app/scene_error.h"
-#include "app/scene_file.h"
-#include "app/scene_identity.h"
+#include "app/base/output_file.h"
+#include "app/scene/scene_error.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_identity.h"
 #include "app/trade/case_file.h"
 
 namespace app {

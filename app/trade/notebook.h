@@ -6,7 +6,7 @@
 #include <functional>
 #include <ostream>
 
-#include "app/stopwatch.h"
+#include "app/base/stopwatch.h"
 #include "app/trade/run_case.h"
 
 namespace app {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/output_file.h"
-#include "app/value_text.h"
-#include "app/version.h"
+#include "app/base/output_file.h"
+#include "app/base/version.h"
+#include "app/scene/value_text.h"
 
 namespace app {
 namespace {

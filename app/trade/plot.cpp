@@ -11,7 +11,7 @@
 #include <limits>
 #include <map>
 
-#include "app/number_text.h"
+#include "app/base/number_text.h"
 #include "app/trade/advice.h"
 
 namespace app {

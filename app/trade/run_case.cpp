@@ -2,9 +2,10 @@
 
 #include <cstdio>
 
-#include "app/stopwatch.h"
+#include "app/base/stopwatch.h"
+#include "sim/mesh/input_error.h"
+#include "sim/stepper.h"
 #include "sim/time/scheme.h"
-#include "sim/useful_threads.h"
 
 namespace app {
 namespace {

@@ -1,7 +1,7 @@
 // Runs a case: steps it over the ground's stretch, without drawing and files, and times it.
 #pragma once
 
-#include "app/interrupt.h"
+#include "app/base/interrupt.h"
 #include "app/trade/ground.h"
 
 namespace app {

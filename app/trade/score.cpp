@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/compare/difference.h"
+#include "sim/study/difference.h"
 
 namespace app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/trade/goal.h"
 #include "app/trade/ground.h"
-#include "sim/compare/reference_check.h"
+#include "sim/study/reference_check.h"
 
 namespace app {
 

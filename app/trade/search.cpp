@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/checksum.h"
+#include "app/base/checksum.h"
 #include "app/trade/advice.h"
-#include "sim/compare/front.h"
+#include "sim/study/front.h"
 
 namespace app {
 namespace {

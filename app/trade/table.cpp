@@ -6,9 +6,9 @@
 #include <map>
 #include <numeric>
 
-#include "app/number_text.h"
+#include "app/base/number_text.h"
 #include "app/trade/advice.h"
-#include "sim/compare/slope.h"
+#include "sim/study/slope.h"
 
 namespace app {
 namespace {

@@ -4,11 +4,11 @@
 #include <fstream>
 #include <iostream>
 
-#include "app/json.h"
-#include "app/output_file.h"
+#include "app/base/json.h"
+#include "app/base/output_file.h"
+#include "app/base/version.h"
 #include "app/trade/advice.h"
 #include "app/trade/table.h"
-#include "app/version.h"
 
 namespace app {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "sim/mesh/mesh.h"
+#include "sim/element/kind.h"
 
 namespace sim {
 

@@ -6,7 +6,7 @@
 
 #include "sim/element/list.h"
 #include "sim/mesh/geometry.h"
-#include "sim/scene.h"
+#include "sim/mesh/input_error.h"
 
 namespace sim {
 namespace {

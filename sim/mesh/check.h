@@ -1,6 +1,7 @@
 // Makes a mesh fit for computing, or refuses it.
 #pragma once
 
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/mesh.h"
 
 namespace sim {

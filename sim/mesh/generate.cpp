@@ -8,9 +8,10 @@
 #include <sstream>
 
 #include "sim/element/element.h"
+#include "sim/math/vec3.h"
 #include "sim/mesh/boundary.h"
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/quadratic.h"
-#include "sim/scene.h"
 
 namespace sim {
 namespace {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/mesh.h"
 
 namespace sim {

@@ -8,6 +8,7 @@
 #include "sim/element/list.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/geometry.h"
+#include "sim/mesh/input_error.h"
 
 namespace sim {
 namespace {

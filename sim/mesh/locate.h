@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "sim/math/vec3.h"
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/mesh.h"
-#include "sim/scene.h"
+#include "sim/mesh/region.h"
 
 namespace sim {
 

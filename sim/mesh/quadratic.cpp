@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/element/list.h"
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/subdivide.h"
 
 namespace sim {

@@ -1,6 +1,7 @@
 // Quadratic elements from linear ones.
 #pragma once
 
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/mesh.h"
 
 namespace sim {

@@ -4,7 +4,7 @@
 
 #include "sim/element/element.h"
 #include "sim/mesh/check.h"
-#include "sim/scene.h"
+#include "sim/mesh/input_error.h"
 
 namespace sim {
 

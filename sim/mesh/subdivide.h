@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/math/vec3.h"
 #include "sim/mesh/geometry.h"
-#include "sim/scene.h"
+#include "sim/mesh/input_error.h"
 
 namespace sim {
 

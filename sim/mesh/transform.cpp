@@ -4,6 +4,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "sim/mesh/input_error.h"
+
 namespace sim {
 namespace {
 

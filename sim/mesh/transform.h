@@ -1,8 +1,9 @@
 // Places a mesh.
 #pragma once
 
+#include "sim/math/vec3.h"
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/mesh.h"
-#include "sim/scene.h"
 
 namespace sim {
 

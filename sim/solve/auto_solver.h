@@ -9,7 +9,7 @@ namespace sim {
 
 class AutoSolver final : public LinearSolver {
  public:
-  explicit AutoSolver(const System::Parts& parts) : iterative_(parts), direct_(parts) {}
+  explicit AutoSolver(const Model& model) : iterative_(model), direct_(model) {}
 
   LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
                      KeptFactor& kept, Eigen::VectorXd& dx) override {

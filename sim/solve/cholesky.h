@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/solve/block_matrix.h"
+#include "sim/math/block_matrix.h"
 
 struct cholmod_common_struct;
 struct cholmod_sparse_struct;

@@ -31,7 +31,7 @@ bool same_factor(const KeptFactor& a, const KeptFactor& b) {
 
 }  // namespace
 
-DirectSolver::DirectSolver(const System::Parts& parts) : matrix_(*parts.pattern, parts.D) {}
+DirectSolver::DirectSolver(const Model& model) : matrix_(*model.pattern, model.D) {}
 
 bool DirectSolver::factorise(const TangentOperator& A) {
   if (epoch_ != A.epoch()) {

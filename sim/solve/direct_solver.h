@@ -12,7 +12,7 @@ namespace sim {
 
 class DirectSolver final : public LinearSolver {
  public:
-  explicit DirectSolver(const System::Parts& parts);
+  explicit DirectSolver(const Model& model);
 
   LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
                      KeptFactor& kept, Eigen::VectorXd& dx) override;

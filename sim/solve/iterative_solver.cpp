@@ -2,8 +2,8 @@
 
 namespace sim {
 
-IterativeSolver::IterativeSolver(const System::Parts& parts, bool with_matrix) : inverse_diagonal_(parts.dofs()) {
-  if (with_matrix && parts.pattern) matrix_.emplace(*parts.pattern, parts.D);
+IterativeSolver::IterativeSolver(const Model& model, bool with_matrix) : inverse_diagonal_(model.dofs()) {
+  if (with_matrix && model.pattern) matrix_.emplace(*model.pattern, model.D);
 }
 
 LinearResult IterativeSolver::solve(const TangentOperator& A, const Linearisation&, const Eigen::VectorXd& r,

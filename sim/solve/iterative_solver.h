@@ -12,7 +12,7 @@ namespace sim {
 class IterativeSolver final : public LinearSolver {
  public:
   // with_matrix: assembled where the system has a pattern for it.
-  explicit IterativeSolver(const System::Parts& parts, bool with_matrix = true);
+  explicit IterativeSolver(const Model& model, bool with_matrix = true);
 
   LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
                      KeptFactor& kept, Eigen::VectorXd& dx) override;

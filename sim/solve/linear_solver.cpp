@@ -1,5 +1,6 @@
 #include "sim/solve/linear_solver.h"
 
+#include "sim/mesh/input_error.h"
 #include "sim/solve/auto_solver.h"
 
 namespace sim {
@@ -18,10 +19,10 @@ bool forms_matrix(const std::string& settled) {
   return settled != "pcg";
 }
 
-std::unique_ptr<LinearSolver> make_linear_solver(const System::Parts& parts) {
-  if (parts.solver.linear == "auto") return std::make_unique<AutoSolver>(parts);
-  if (parts.solver.linear == "cholmod") return std::make_unique<DirectSolver>(parts);
-  return std::make_unique<IterativeSolver>(parts);
+std::unique_ptr<LinearSolver> make_linear_solver(const Model& model) {
+  if (model.solver.linear == "auto") return std::make_unique<AutoSolver>(model);
+  if (model.solver.linear == "cholmod") return std::make_unique<DirectSolver>(model);
+  return std::make_unique<IterativeSolver>(model);
 }
 
 }  // namespace sim

@@ -4,7 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "sim/mesh/input_error.h"
 #include "sim/solve/tangent_operator.h"
+#include "sim/state.h"
 
 namespace sim {
 
@@ -38,7 +40,7 @@ class LinearSolver {
 
 // "cholmod", "pcg" (forms no matrix), "pcg-assembled", or "auto": by size and by counts of iterations.
 // Throws InputError (key "solver.linear") for another name.
-std::unique_ptr<LinearSolver> make_linear_solver(const System::Parts& parts);
+std::unique_ptr<LinearSolver> make_linear_solver(const Model& model);
 
 // The solver that a name stands for at this size, and whether it forms a matrix.
 // flat: all elements are triangles or quads.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <new>
 
+#include "sim/mesh/input_error.h"
 #include "sim/solve/iterative_solver.h"
 #include "sim/solve/stopwatch.h"
 
@@ -56,26 +57,26 @@ Definiteness definiteness(const std::string& name) {
   throw InputError("solver.definiteness", "\"" + name + "\" is not one of clamp, abs, none");
 }
 
-Newton::Newton(const System::Parts& parts, int threads)
-    : parts_(parts),
-      fix_(definiteness(parts.solver.definiteness)),
-      tangent_(parts, threads),
-      linear_(make_linear_solver(parts)),
-      f_(parts.dofs()),
-      residual_(parts.dofs()),
-      dx_(parts.dofs()),
-      x_from_(parts.dofs()),
-      v_from_(parts.dofs()),
-      difference_(parts.dofs()),
-      product_(parts.dofs()) {}
+Newton::Newton(const Model& model, int threads)
+    : model_(model),
+      fix_(definiteness(model.solver.definiteness)),
+      tangent_(model, threads),
+      linear_(make_linear_solver(model)),
+      f_(model.dofs()),
+      residual_(model.dofs()),
+      dx_(model.dofs()),
+      x_from_(model.dofs()),
+      v_from_(model.dofs()),
+      difference_(model.dofs()),
+      product_(model.dofs()) {}
 
 void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept, StepReport& report) {
-  if (parts_.pins.released(t_end) != tangent_.epoch()) {
-    parts_.pins.mark(t_end, tangent_.free());
-    tangent_.set_epoch(parts_.pins.released(t_end));
+  if (model_.pins.released(t_end) != tangent_.epoch()) {
+    model_.pins.mark(t_end, tangent_.free());
+    tangent_.set_epoch(model_.pins.released(t_end));
   }
   if (linear_->lost(kept)) {
-    parts_.pins.mark(kept.t, tangent_.free());
+    model_.pins.mark(kept.t, tangent_.free());
     tangent_.begin_step({kept.x_begin, kept.v_begin, kept.t_begin, 0});
     tangent_.linearise({kept.x, kept.v, kept.t, kept.dv_dx}, kept.mass, static_cast<Definiteness>(kept.definiteness),
                        f_);
@@ -84,7 +85,7 @@ void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept, Ste
     } catch (const std::bad_alloc&) {
       give_up_factor(kept, report);
     }
-    parts_.pins.mark(t_end, tangent_.free());
+    model_.pins.mark(t_end, tangent_.free());
   }
   tangent_.begin_step(start);
 }
@@ -92,7 +93,7 @@ void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept, Ste
 // There is no memory for a factor: conjugate gradients from now on, without a matrix.
 void Newton::give_up_factor(KeptFactor& kept, StepReport& report) {
   linear_.reset();  // and what it holds
-  linear_ = std::make_unique<IterativeSolver>(parts_, /*with_matrix=*/false);
+  linear_ = std::make_unique<IterativeSolver>(model_, /*with_matrix=*/false);
   kept = {};
   report.no_factor = true;
 }
@@ -100,7 +101,7 @@ void Newton::give_up_factor(KeptFactor& kept, StepReport& report) {
 void Newton::inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result) {
   difference_ = v - stage.v_start;
   result = -stage.impulse;
-  for (const Mass& mass : parts_.masses) mass.add_product(1, difference_, result, parts_.D);
+  for (const Mass& mass : model_.masses) mass.add_product(1, difference_, result, model_.D);
 }
 
 // 1/2 |v - v_start|_M^2 - (v - v_start) . impulse + U
@@ -141,7 +142,7 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, const Mo
     residual_.array() *= tangent_.free().array();
     watch.stop();
     if (!std::isfinite(residual_.squaredNorm())) return false;
-    if (residual_.norm() * parts_.node_size.minCoeff() <= force_noise * parts_.energy_scale) {
+    if (residual_.norm() * model_.node_size.minCoeff() <= force_noise * model_.energy_scale) {
       dx_.setZero();
       return true;
     }
@@ -176,7 +177,7 @@ double Newton::line_search(const StageProblem& stage, const Motion& motion, Eige
   double a = limit < 1 ? step_share * limit : 1;
   x_from_ = x;
   v_from_ = v;
-  const double noise = energy_noise * (parts_.energy_scale + 10 * std::abs(before));
+  const double noise = energy_noise * (model_.energy_scale + 10 * std::abs(before));
   for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
     move(stage, a, x, v);
     const double after = potential(stage, motion);
@@ -191,9 +192,9 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
                    KeptFactor& kept, StepReport& report) {
   const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
   const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
-  const int most = stage.one_iteration ? 1 : parts_.solver.max_iterations;
+  const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
-  const double linear = stage.one_iteration ? std::min(1e-6, parts_.solver.tolerance) : linear_tolerance;
+  const double linear = stage.one_iteration ? std::min(1e-6, model_.solver.tolerance) : linear_tolerance;
   Exactness exactness(fix_);
   int k = 0;
   for (; k < most; ++k) {
@@ -213,10 +214,10 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
       a = line_search(stage, motion, x, v, report);
     }
     report.residual = 0;
-    for (Eigen::Index node = 0; node < parts_.node_count; ++node)
+    for (Eigen::Index node = 0; node < model_.node_count; ++node)
       report.residual = std::max(report.residual,
-                                 dx_.segment(node * parts_.D, parts_.D).norm() * per_second / parts_.node_size[node]);
-    if (stage.one_iteration || (a == 1 && report.residual <= parts_.solver.tolerance)) return true;
+                                 dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
+    if (stage.one_iteration || (a == 1 && report.residual <= model_.solver.tolerance)) return true;
     if (a == 0 && !exactness.exact()) break;
     exactness.look(a == 1 && report.factorisations <= factors + 1, report.residual);
   }

@@ -1,6 +1,7 @@
 // Newton's method on the potential of one stage: minimises 1/2 |x - (x* + g h v*)|_M^2 + (g h)^2 U(x).
 #pragma once
 
+#include "sim/mesh/input_error.h"
 #include "sim/report.h"
 #include "sim/solve/linear_solver.h"
 
@@ -18,7 +19,7 @@ struct StageProblem {
 
 class Newton {
  public:
-  Newton(const System::Parts& parts, int threads);
+  Newton(const Model& model, int threads);
 
   // Terms freeze what they keep for a step; the free components are those of time t_end of the step.
   void begin_step(const Motion& start, double t_end, KeptFactor& kept, StepReport& report);
@@ -41,7 +42,7 @@ class Newton {
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
-  const System::Parts& parts_;
+  const Model& model_;
   Definiteness fix_;
   TangentOperator tangent_;
   std::unique_ptr<LinearSolver> linear_;

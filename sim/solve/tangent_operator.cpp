@@ -4,60 +4,60 @@
 
 namespace sim {
 
-TangentOperator::TangentOperator(const System::Parts& parts, int threads)
-    : parts_(parts), threads_(threads), free_(Eigen::VectorXd::Ones(parts.dofs())) {
-  for (const auto& term : parts.terms) stores_.push_back(term->make_store(threads));
+TangentOperator::TangentOperator(const Model& model, int threads)
+    : model_(model), threads_(threads), free_(Eigen::VectorXd::Ones(model.dofs())) {
+  for (const auto& term : model.terms) stores_.push_back(term->make_store(threads));
 }
 
 void TangentOperator::begin_step(const Motion& start) {
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->begin_step(start, *stores_[k]);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->begin_step(start, *stores_[k]);
 }
 
 bool TangentOperator::lags() const {
-  return std::any_of(parts_.terms.begin(), parts_.terms.end(), [](const auto& term) { return term->lags(); });
+  return std::any_of(model_.terms.begin(), model_.terms.end(), [](const auto& term) { return term->lags(); });
 }
 
 void TangentOperator::linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f) {
   mass_ = mass;
   f.setZero();
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->linearise(motion, fix, *stores_[k], f);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->linearise(motion, fix, *stores_[k], f);
 }
 
 void TangentOperator::forces(const Motion& motion, Eigen::VectorXd& f) {
   f.setZero();
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_forces(motion, *stores_[k], f);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_forces(motion, *stores_[k], f);
 }
 
 double TangentOperator::energy(const Motion& motion) {
   double U = 0;
-  for (std::size_t k = 0; k < stores_.size(); ++k) U += parts_.terms[k]->energy(motion, *stores_[k]);
+  for (std::size_t k = 0; k < stores_.size(); ++k) U += model_.terms[k]->energy(motion, *stores_[k]);
   return U;
 }
 
 double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd& dx) const {
   double a = 1;
-  for (const auto& term : parts_.terms) a = std::min(a, term->largest_step(motion, dx));
+  for (const auto& term : model_.terms) a = std::min(a, term->largest_step(motion, dx));
   return a;
 }
 
 void TangentOperator::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
   y.setZero();
-  for (const Mass& mass : parts_.masses) mass.add_product(mass_, p, y, parts_.D);
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_product(*stores_[k], 1, p, y);
+  for (const Mass& mass : model_.masses) mass.add_product(mass_, p, y, model_.D);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_product(*stores_[k], 1, p, y);
   y.array() *= free_.array();
 }
 
 void TangentOperator::diagonal(Eigen::VectorXd& d) const {
   d.setZero();
-  for (const Mass& mass : parts_.masses) mass.add_diagonal(mass_, d, parts_.D);
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_diagonal(*stores_[k], 1, d);
+  for (const Mass& mass : model_.masses) mass.add_diagonal(mass_, d, model_.D);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_diagonal(*stores_[k], 1, d);
   d.array() = d.array() * free_.array() + (1 - free_.array());
 }
 
 void TangentOperator::assemble(BlockMatrix& A) const {
   A.set_zero();
-  for (const Mass& mass : parts_.masses) mass.add_matrix(mass_, A);
-  for (std::size_t k = 0; k < stores_.size(); ++k) parts_.terms[k]->add_matrix(*stores_[k], 1, A);
+  for (const Mass& mass : model_.masses) mass.add_matrix(mass_, A);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_matrix(*stores_[k], 1, A);
   A.mirror(threads_);
 }
 

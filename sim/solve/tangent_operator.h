@@ -4,13 +4,13 @@
 
 #include <span>
 
-#include "sim/parts.h"
+#include "sim/solve/model.h"
 
 namespace sim {
 
 class TangentOperator {
  public:
-  TangentOperator(const System::Parts& parts, int threads);
+  TangentOperator(const Model& model, int threads);
 
   // Terms freeze what they keep for a step.
   void begin_step(const Motion& start);
@@ -36,12 +36,12 @@ class TangentOperator {
   // A, prescribed components included (the solver leaves them out).
   void assemble(BlockMatrix& A) const;
 
-  const System::Parts& parts() const { return parts_; }
+  const Model& model() const { return model_; }
   int threads() const { return threads_; }
   std::span<const std::unique_ptr<Term::Store>> stores() const { return stores_; }
 
  private:
-  const System::Parts& parts_;
+  const Model& model_;
   int threads_;
   std::vector<std::unique_ptr<Term::Store>> stores_;  // one for each term
   Eigen::VectorXd free_;

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "sim/mass.h"
+#include "sim/body/mass.h"
+#include "sim/scene.h"
 #include "sim/term/elastic.h"
 
 namespace sim {
@@ -15,6 +16,7 @@ class RayleighDamping final : public Term {
   RayleighDamping(const Body& body, const Mass& mass, std::vector<const ElasticTerm*> elastic, int D);
 
   TermInfo info() const override;
+  Role role() const override { return Role::own; }
   std::unique_ptr<Store> make_store(int threads) const override;
   void begin_step(const Motion& start, Store& store) const override;
   bool lags() const override { return damping_.beta > 0; }

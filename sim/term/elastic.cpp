@@ -2,6 +2,7 @@
 
 #include "sim/element/list.h"
 #include "sim/material/list.h"
+#include "sim/mesh/input_error.h"
 
 namespace sim {
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "sim/mesh/input_error.h"
 #include "sim/scene.h"
 #include "sim/term/term.h"
 
@@ -11,6 +12,7 @@ namespace sim {
 // What the elastic terms of all elements and materials have in common.
 class ElasticTerm : public Term {
  public:
+  Role role() const final { return Role::elastic; }
   // Smallest J over the quadrature points and the element (number in the body's mesh) where it is.
   // A membrane's J is its area ratio, never negative.
   struct SmallestJ {

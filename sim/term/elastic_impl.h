@@ -4,6 +4,7 @@
 #include "sim/element/list.h"
 #include "sim/material/list.h"
 #include "sim/math/volume.h"
+#include "sim/scene.h"
 #include "sim/term/build_batches.h"
 #include "sim/term/elastic.h"
 #include "sim/term/stress.h"

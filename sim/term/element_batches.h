@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/math/block_matrix.h"
 #include "sim/math/lanes.h"
 #include "sim/math/mat.h"
-#include "sim/solve/block_matrix.h"
 #include "sim/term/chunks.h"
 
 namespace sim {

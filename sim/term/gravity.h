@@ -1,7 +1,7 @@
 // Gravity: U = -sum_i m_i g . (x_i - X_i). Measured from rest, so that a body far from the origin loses no digits.
 #pragma once
 
-#include "sim/mass.h"
+#include "sim/body/mass.h"
 #include "sim/term/term.h"
 
 namespace sim {
@@ -12,6 +12,7 @@ class Gravity final : public Term {
   Gravity(const Vec3& g, const std::vector<Mass>& masses, const Eigen::VectorXd& X, int D);
 
   TermInfo info() const override;
+  Role role() const override { return Role::own; }
   double energy(const Motion& motion, Store&) const override;
   void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
 

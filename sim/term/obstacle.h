@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "sim/scene.h"
 #include "sim/term/term.h"
 
 namespace sim {
@@ -21,6 +22,7 @@ class ObstacleTerm final : public Term {
   ObstacleTerm(const Obstacle& obstacle, std::vector<Contact> contacts, double dh, double eps, int D);
 
   TermInfo info() const override;
+  Role role() const override { return Role::applied; }
   std::unique_ptr<Store> make_store(int threads) const override;
   void begin_step(const Motion& start, Store& store) const override;
   bool lags() const override { return obstacle_.friction > 0; }

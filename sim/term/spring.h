@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/mesh/locate.h"
+#include "sim/scene.h"
 #include "sim/term/term.h"
 
 namespace sim {
@@ -12,6 +13,7 @@ class SpringTerm final : public Term {
   SpringTerm(const Spring& spring, std::vector<int> nodes, std::vector<double> weights, int D);
 
   TermInfo info() const override;
+  Role role() const override { return Role::applied; }
   double energy(const Motion& motion, Store&) const override;
   void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
   void add_product(const Store&, double s, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override;

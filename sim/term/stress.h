@@ -3,7 +3,7 @@
 
 #include "sim/material/tangent.h"
 #include "sim/math/volume.h"
-#include "sim/system.h"
+#include "sim/report.h"
 
 namespace sim {
 

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "sim/material/tangent.h"
-#include "sim/solve/block_matrix.h"
-#include "sim/system.h"
+#include "sim/math/block_matrix.h"
+#include "sim/report.h"
 
 namespace sim {
 
@@ -18,6 +18,10 @@ struct Motion {
   double dv_dx = 0;          // 1/(g h) [1/s]; 0 where v does not follow x (explicit, static)
 };
 
+// What a term stands for: the body's own elasticity, an effect of its motion or place (weight, damping, untangling), or
+// a load that acts on it from outside.
+enum class Role { elastic, own, applied };
+
 class Term {
  public:
   // The scratch of a term: its latest linearisation, and what it froze when the step began. One for each stepper.
@@ -28,6 +32,7 @@ class Term {
 
   virtual ~Term() = default;
   virtual TermInfo info() const = 0;
+  virtual Role role() const = 0;
 
   virtual std::unique_ptr<Store> make_store(int threads) const {
     auto store = std::make_unique<Store>();

@@ -2,6 +2,7 @@
 // s(t) rises smoothly from 0 to 1 over the ramp: s = tau^2 (3 - 2 tau), tau = t/ramp.
 #pragma once
 
+#include "sim/scene.h"
 #include "sim/term/term.h"
 
 namespace sim {
@@ -14,6 +15,7 @@ class TractionLoad final : public Term {
                const Eigen::VectorXd& X, int D);
 
   TermInfo info() const override;
+  Role role() const override { return Role::applied; }
   double energy(const Motion& motion, Store&) const override;
   void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
 

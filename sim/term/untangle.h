@@ -9,8 +9,9 @@
 
 #include <vector>
 
+#include "sim/body/pins.h"
 #include "sim/mesh/tangle.h"
-#include "sim/pins.h"
+#include "sim/scene.h"
 #include "sim/term/term.h"
 
 namespace sim {
@@ -23,6 +24,7 @@ class UntangleTerm final : public Term {
                const Pins& pins, int D);
 
   TermInfo info() const override;
+  Role role() const override { return Role::own; }
   std::unique_ptr<Store> make_store(int threads) const override;
   void begin_step(const Motion& start, Store& store) const override;
   double energy(const Motion& motion, Store& store) const override;

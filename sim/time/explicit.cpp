@@ -5,8 +5,8 @@
 
 namespace sim {
 
-ExplicitStepper::ExplicitStepper(const System::Parts& parts, int threads)
-    : parts_(parts), tangent_(parts, threads), mass_(parts), a_(parts.dofs()) {}
+ExplicitStepper::ExplicitStepper(const Model& model, const Scheme& scheme, int threads)
+    : model_(model), scheme_(scheme), tangent_(model, threads), mass_(model), a_(model.dofs()) {}
 
 void ExplicitStepper::kick(double s, const Eigen::VectorXd& f, Eigen::VectorXd& v, StepReport& report) {
   report.linear += mass_.solve(f, tangent_.free(), a_);
@@ -17,31 +17,31 @@ StepReport ExplicitStepper::step(State& state) {
   StepReport report;
   report.step = state.step + 1;
   Stopwatch watch(report.seconds);
-  const double h = parts_.h(), t = parts_.t(state.step), t_end = parts_.t(state.step + 1);
-  const bool verlet = parts_.scheme->order == 2;
+  const double h = model_.h(), t = model_.t(state.step), t_end = model_.t(state.step + 1);
+  const bool verlet = scheme_.kick == Kick::halves;
   next_ = state;
-  const bool released = parts_.pins.released(t_end) != tangent_.epoch();
+  const bool released = model_.pins.released(t_end) != tangent_.epoch();
   if (released) {
-    parts_.pins.mark(t_end, tangent_.free());
-    tangent_.set_epoch(parts_.pins.released(t_end));
+    model_.pins.mark(t_end, tangent_.free());
+    tangent_.set_epoch(model_.pins.released(t_end));
   }
   tangent_.begin_step({state.x, state.v, t, 0});
   // Verlet ends a step with the forces at its end, which the next one starts with.
   if (!verlet || next_.force.size() == 0) {
-    next_.force.resize(parts_.dofs());
+    next_.force.resize(model_.dofs());
     tangent_.forces({next_.x, next_.v, t, 0}, next_.force);
     ++report.force_evaluations;
   }
   kick(verlet ? h / 2 : h, next_.force, next_.v, report);
   next_.x += h * next_.v;
-  parts_.pins.prescribe(t_end, next_.x, next_.v);
+  model_.pins.prescribe(t_end, next_.x, next_.v);
   if (verlet) {
     tangent_.forces({next_.x, next_.v, t_end, 0}, next_.force);
     ++report.force_evaluations;
     kick(h / 2, next_.force, next_.v, report);
   }
   ++next_.step;
-  if (finish_step(parts_, tangent_, next_, report)) std::swap(state, next_);
+  if (finish_step(model_, tangent_, next_, report)) std::swap(state, next_);
   return report;
 }
 

@@ -5,21 +5,23 @@
 #pragma once
 
 #include "sim/solve/tangent_operator.h"
-#include "sim/stepper.h"
 #include "sim/time/mass_solve.h"
+#include "sim/time/scheme.h"
+#include "sim/time/stepper.h"
 
 namespace sim {
 
 class ExplicitStepper final : public Stepper {
  public:
-  ExplicitStepper(const System::Parts& parts, int threads);
+  ExplicitStepper(const Model& model, const Scheme& scheme, int threads);
   StepReport step(State& state) override;
 
  private:
   // v += s M^{-1} f on the free components
   void kick(double s, const Eigen::VectorXd& f, Eigen::VectorXd& v, StepReport& report);
 
-  const System::Parts& parts_;
+  const Model& model_;
+  const Scheme& scheme_;
   TangentOperator tangent_;
   MassSolve mass_;
   State next_;

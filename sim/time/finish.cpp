@@ -4,25 +4,23 @@
 
 namespace sim {
 
-void measure_J(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report) {
+void measure_J(const Model& model, TangentOperator& tangent, const State& state, StepReport& report) {
   report.min_J = std::numeric_limits<double>::infinity();
-  std::size_t k = 0;
-  for (std::size_t e = 0; e < parts.elastic.size(); ++e) {
-    while (parts.terms[k].get() != parts.elastic[e]) ++k;
-    const ElasticTerm::SmallestJ least = parts.elastic[e]->smallest_J(state.x, *tangent.stores()[k]);
+  for (const ElasticPart& part : model.elastic) {
+    const ElasticTerm::SmallestJ least = part.term->smallest_J(state.x, *tangent.stores()[part.number]);
     report.inverted += least.inverted;
     if (!(least.J >= report.min_J)) {
       report.min_J = least.J;
-      report.min_J_element = parts.ranges[parts.elastic_body[e]].first_element + least.element;
+      report.min_J_element = model.ranges[part.body].first_element + least.element;
     }
   }
 }
 
-bool finish_step(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report) {
-  measure_J(parts, tangent, state, report);
+bool finish_step(const Model& model, TangentOperator& tangent, const State& state, StepReport& report) {
+  measure_J(model, tangent, state, report);
   if (!state.x.allFinite() || !state.v.allFinite())
     report.failure = "positions or velocities are not finite";
-  else if (state.x.cwiseAbs().maxCoeff() > parts.bound)
+  else if (state.x.cwiseAbs().maxCoeff() > model.bound)
     report.failure = "positions have left all bounds (1e12 sizes of the scene): the step is unstable";
   return report.failure.empty();
 }

@@ -3,13 +3,14 @@
 
 #include "sim/report.h"
 #include "sim/solve/tangent_operator.h"
+#include "sim/state.h"
 
 namespace sim {
 
 // Smallest J and where it is, inverted elements.
-void measure_J(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report);
+void measure_J(const Model& model, TangentOperator& tangent, const State& state, StepReport& report);
 
 // The same; false, with report.failure, when a number of the state is not finite.
-bool finish_step(const System::Parts& parts, TangentOperator& tangent, const State& state, StepReport& report);
+bool finish_step(const Model& model, TangentOperator& tangent, const State& state, StepReport& report);
 
 }  // namespace sim

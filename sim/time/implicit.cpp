@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/mesh/input_error.h"
 #include "sim/solve/stopwatch.h"
 #include "sim/time/finish.h"
 
@@ -20,14 +21,15 @@ OnFailure on_failure(const std::string& name) {
   throw InputError("solver.on_failure", "\"" + name + "\" is not one of split, accept, stop");
 }
 
-ImplicitStepper::ImplicitStepper(const System::Parts& parts, int threads)
-    : parts_(parts),
-      on_failure_(on_failure(parts.solver.on_failure)),
-      newton_(parts, threads),
+ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
+    : model_(model),
+      scheme_(scheme),
+      on_failure_(on_failure(model.solver.on_failure)),
+      newton_(model, threads),
       begin_(most_halvings + 1) {
   for (Eigen::VectorXd* v :
        {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &x_lagged_, &v_lagged_, &force_})
-    v->resize(parts.dofs());
+    v->resize(model.dofs());
 }
 
 // Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight,
@@ -36,14 +38,14 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, d
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
   const auto place = [&] {
     if (problem.gh != 0) x_ = x_star_ + problem.gh * v_;
-    parts_.pins.prescribe(problem.t, x_, v_);
+    model_.pins.prescribe(problem.t, x_, v_);
     return newton_.potential(problem, motion);
   };
   if (scheme.is_static || scheme.one_iteration) {
     x_ = next_.x;
     v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size()))
                          : Eigen::VectorXd((x_ - x_star_) / problem.gh);
-    parts_.pins.prescribe(problem.t, x_, v_);
+    model_.pins.prescribe(problem.t, x_, v_);
     return;
   }
   v_ = v_start_;
@@ -86,7 +88,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
   guess(problem, scheme, h);
   if (!newton_.solve(problem, begin, x_, v_, next_.kept, report)) return false;
   // What was frozen at the step's start cost an order of accuracy; frozen at the stage's solution it does not.
-  const int again = newton_.tangent().lags() && !scheme.one_iteration ? parts_.solver.lag_iterations : 0;
+  const int again = newton_.tangent().lags() && !scheme.one_iteration ? model_.solver.lag_iterations : 0;
   for (int k = 0; k < again; ++k) {
     x_lagged_ = x_;
     v_lagged_ = v_;
@@ -99,7 +101,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     // the residual by the stiffness).
     force_ = -impulse_;
     x_star_ = v_ - v_start_;
-    for (const Mass& mass : parts_.masses) mass.add_product(1, x_star_, force_, parts_.D);
+    for (const Mass& mass : model_.masses) mass.add_product(1, x_star_, force_, model_.D);
     force_ /= problem.gh;
   }
   if (number == 0 && scheme.stages.size() > 1) {
@@ -121,27 +123,26 @@ void ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t
     next_.v = v_;
   }
   if (scheme.is_static) next_.v.setZero();
-  parts_.pins.prescribe(t_end, next_.x, next_.v);
+  model_.pins.prescribe(t_end, next_.x, next_.v);
   next_.force = force_;
 }
 
 // The step before has the same length only where no step is halved.
 const Scheme& ImplicitStepper::scheme_of(const Interval& interval) const {
-  const Scheme& scheme = *parts_.scheme;
-  const bool starts = !scheme.first_step.empty() && (next_.x_before.size() == 0 || interval.depth > 0);
-  return starts ? *find_scheme(scheme.first_step) : scheme;
+  const bool starts = !scheme_.first_step.empty() && (next_.x_before.size() == 0 || interval.depth > 0);
+  return starts ? *find_scheme(scheme_.first_step) : scheme_;
 }
 
 // next_ from `begin` over the interval; false where the equations are not solved.
 bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, const State& begin_state,
                               StepReport& report) {
   const auto& [t, t_end, h, depth] = interval;
-  const bool released = parts_.pins.released(t_end) != parts_.pins.released(t);
+  const bool released = model_.pins.released(t_end) != model_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
   if (released) next_.kept.valid = 0;
   newton_.begin_step(begin, t_end, next_.kept, report);
   if (next_.force.size() == 0 || released) {
-    next_.force.resize(parts_.dofs());
+    next_.force.resize(model_.dofs());
     newton_.tangent().forces(begin, next_.force);
     ++report.force_evaluations;
   }
@@ -167,7 +168,7 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   if (solved(own)) return true;
   if (on_failure_ == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
-  if (on_failure_ != OnFailure::split || parts_.scheme->is_static) return report.failure.empty();
+  if (on_failure_ != OnFailure::split || scheme_.is_static) return report.failure.empty();
   // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
   // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
   in_vain_ = in_vain_ || depth == most_halvings;
@@ -187,14 +188,14 @@ StepReport ImplicitStepper::step(State& state) {
   Stopwatch watch(report.seconds);
   next_ = state;
   in_vain_ = false;
-  if (!advance({parts_.t(state.step), parts_.t(state.step + 1), parts_.h(), 0}, report)) {
-    measure_J(parts_, newton_.tangent(), state, report);
+  if (!advance({model_.t(state.step), model_.t(state.step + 1), model_.h(), 0}, report)) {
+    measure_J(model_, newton_.tangent(), state, report);
     return report;
   }
   next_.x_before = state.x;
   next_.v_before = state.v;
   ++next_.step;
-  if (finish_step(parts_, newton_.tangent(), next_, report)) std::swap(state, next_);
+  if (finish_step(model_, newton_.tangent(), next_, report)) std::swap(state, next_);
   return report;
 }
 

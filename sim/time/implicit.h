@@ -1,8 +1,10 @@
 // Steps an implicit scheme: each stage is one minimisation. [mathematics.md 7]
 #pragma once
 
+#include "sim/mesh/input_error.h"
 #include "sim/solve/newton.h"
-#include "sim/stepper.h"
+#include "sim/time/scheme.h"
+#include "sim/time/stepper.h"
 
 namespace sim {
 
@@ -14,7 +16,7 @@ OnFailure on_failure(const std::string& name);
 
 class ImplicitStepper final : public Stepper {
  public:
-  ImplicitStepper(const System::Parts& parts, int threads);
+  ImplicitStepper(const Model& model, const Scheme& scheme, int threads);
   StepReport step(State& state) override;
 
  private:
@@ -31,7 +33,8 @@ class ImplicitStepper final : public Stepper {
   void guess(const StageProblem& problem, const Scheme& scheme, double h);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
-  const System::Parts& parts_;
+  const Model& model_;
+  const Scheme& scheme_;
   OnFailure on_failure_;
   Newton newton_;
   bool in_vain_ = false;      // halving did not help in the step under way

@@ -2,10 +2,10 @@
 
 namespace sim {
 
-MassSolve::MassSolve(const System::Parts& parts)
-    : parts_(parts), inverse_diagonal_(Eigen::VectorXd::Zero(parts.dofs())), rhs_(parts.dofs()) {
-  for (const Mass& mass : parts.masses) {
-    mass.add_diagonal(1, inverse_diagonal_, parts.D);
+MassSolve::MassSolve(const Model& model)
+    : model_(model), inverse_diagonal_(Eigen::VectorXd::Zero(model.dofs())), rhs_(model.dofs()) {
+  for (const Mass& mass : model.masses) {
+    mass.add_diagonal(1, inverse_diagonal_, model.D);
     lumped_ = lumped_ && mass.lumped();
   }
   inverse_diagonal_ = inverse_diagonal_.cwiseInverse();
@@ -21,7 +21,7 @@ int MassSolve::solve(const Eigen::VectorXd& f, const Eigen::VectorXd& free, Eige
   const PcgResult cg = pcg(
       [&](const Eigen::VectorXd& p, Eigen::VectorXd& Mp) {
         Mp.setZero();
-        for (const Mass& mass : parts_.masses) mass.add_product(1, p, Mp, parts_.D);
+        for (const Mass& mass : model_.masses) mass.add_product(1, p, Mp, model_.D);
         Mp.array() *= free.array();
       },
       [&](const Eigen::VectorXd& r, Eigen::VectorXd& z) { z = inverse_diagonal_.cwiseProduct(r); }, rhs_, round_off,

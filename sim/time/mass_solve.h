@@ -2,19 +2,19 @@
 // (the diagonal is a good preconditioner there: the condition number does not grow with the mesh [Wathen 1987]).
 #pragma once
 
-#include "sim/parts.h"
+#include "sim/solve/model.h"
 #include "sim/solve/pcg.h"
 
 namespace sim {
 
 class MassSolve {
  public:
-  explicit MassSolve(const System::Parts& parts);
+  explicit MassSolve(const Model& model);
   // Returns the iterations that were needed; 0 for lumped mass. a is zero where free is.
   int solve(const Eigen::VectorXd& f, const Eigen::VectorXd& free, Eigen::VectorXd& a);
 
  private:
-  const System::Parts& parts_;
+  const Model& model_;
   bool lumped_ = true;
   Eigen::VectorXd inverse_diagonal_, rhs_;
   PcgScratch scratch_;

@@ -20,8 +20,8 @@ constexpr Stage tr_bdf2[] = {{{1, 0, 0}, {gamma_tr / 2, 0, 0}, gamma_tr / 2, gam
                              {{1 - w_tr, 0, w_tr}, {0, 0, 0}, (1 - gamma_tr) / (2 - gamma_tr), 1}};
 
 constexpr Scheme table[] = {
-    {.name = "symplectic-euler", .order = 1, .stages = {}},
-    {.name = "central-difference", .order = 2, .stages = {}},
+    {.name = "symplectic-euler", .order = 1, .kick = Kick::whole},
+    {.name = "central-difference", .order = 2, .kick = Kick::halves},
     {.name = "backward-euler", .order = 1, .stages = backward_euler},
     {.name = "linearly-implicit", .order = 1, .stages = backward_euler, .one_iteration = true},
     {.name = "bdf2", .order = 2, .stages = bdf2, .first_step = "sdirk2"},

@@ -19,14 +19,21 @@ struct Stage {
   double end;
 };
 
+// How the velocity gets its forces: from implicit stages, in one kick at the step's start, or in two half kicks at both
+// of its ends.
+enum class Kick { none, whole, halves };
+
 struct Scheme {
   std::string_view name;
   int order;
-  std::span<const Stage> stages;     // empty: explicit
+  std::span<const Stage> stages;     // of an implicit scheme
+  Kick kick = Kick::none;            // of an explicit one
   std::string_view first_step = {};  // a two-step scheme: the scheme that makes its first step
   bool extrapolate = false;          // x_{n+1} = 2 x_s - x_n
   bool one_iteration = false;        // exactly one Newton step
   bool is_static = false;            // minimise U alone
+
+  bool is_explicit() const { return kick != Kick::none; }
 };
 
 // nullptr when there is no scheme of that name.

@@ -1,4 +1,4 @@
-#include "app/arrows.h"
+#include "app/picture/arrows.h"
 
 #include <gtest/gtest.h>
 

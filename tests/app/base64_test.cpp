@@ -1,4 +1,4 @@
-#include "app/base64.h"
+#include "app/base/base64.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The scenes of assets/scenes/benchmarks end where their references say.
 #include <gtest/gtest.h>
 
-#include "app/simulation.h"
+#include "app/scene/simulation.h"
 
 namespace app {
 namespace {

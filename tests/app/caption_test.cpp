@@ -1,4 +1,5 @@
-#include "app/caption.h"
+#include "app/picture/caption.h"
+#include "app/scene/caption_names.h"
 
 #include <gtest/gtest.h>
 

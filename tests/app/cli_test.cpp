@@ -1,5 +1,5 @@
 // The command line: what it fills in, and what it refuses.
-#include "app/cli.h"
+#include "app/command/cli.h"
 
 #include <gtest/gtest.h>
 

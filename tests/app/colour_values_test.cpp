@@ -1,4 +1,4 @@
-#include "app/colour_values.h"
+#include "app/picture/colour_values.h"
 
 #include <gtest/gtest.h>
 

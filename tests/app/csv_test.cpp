@@ -1,8 +1,8 @@
-#include "app/csv.h"
+#include "app/run/csv.h"
 
 #include <gtest/gtest.h>
 
-#include "app/number_text.h"
+#include "app/base/number_text.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "app/commands.h"
-#include "app/output_file.h"
+#include "app/base/exit_code.h"
+#include "app/base/output_file.h"
+#include "app/command/commands.h"
 #include "render/png.h"
 #include "tests/app/scene_fixture.h"
 

@@ -5,8 +5,9 @@
 
 #include <cstdlib>
 
-#include "app/commands.h"
-#include "app/output_file.h"
+#include "app/base/exit_code.h"
+#include "app/base/output_file.h"
+#include "app/command/commands.h"
 #include "render/compare.h"
 #include "render/png.h"
 #include "tests/app/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "app/json.h"
+#include "app/base/json.h"
 
 #include <gtest/gtest.h>
 

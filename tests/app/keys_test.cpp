@@ -1,5 +1,5 @@
 // The key table is whole and says the truth about its own fields; README.md holds the reference made from it.
-#include "app/keys.h"
+#include "app/scene/keys.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/key_reference.h"
+#include "app/scene/key_reference.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

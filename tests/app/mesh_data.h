@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/mesh_file.h"
+#include "app/mesh/mesh_file.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

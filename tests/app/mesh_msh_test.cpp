@@ -1,7 +1,7 @@
 // Gmsh files: what Gmsh wrote is read alike from every variant, and what a file says reaches the mesh.
 #include <Eigen/LU>
 
-#include "app/files/error.h"
+#include "app/mesh/error.h"
 #include "tests/app/mesh_data.h"
 
 namespace app {

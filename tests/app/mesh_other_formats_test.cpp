@@ -1,6 +1,6 @@
 // TetGen and Wavefront files, the choice between formats, and the meshes that come with the program.
-#include "app/files/error.h"
-#include "app/files/tetgen.h"
+#include "app/mesh/error.h"
+#include "app/mesh/tetgen.h"
 #include "tests/app/mesh_data.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/output_file.h"
+#include "app/base/output_file.h"
 
 #include <gtest/gtest.h>
 

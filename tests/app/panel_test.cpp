@@ -6,8 +6,9 @@
 #include <map>
 #include <set>
 
-#include "app/commands.h"
-#include "app/key_positions.h"
+#include "app/base/exit_code.h"
+#include "app/command/commands.h"
+#include "app/scene/key_positions.h"
 #include "app/session/session.h"
 #include "render/compare.h"
 #include "render/gui.h"

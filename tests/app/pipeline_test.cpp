@@ -1,4 +1,4 @@
-#include "app/pipeline.h"
+#include "app/record/pipeline.h"
 
 #include <gtest/gtest.h>
 

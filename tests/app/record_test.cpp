@@ -7,9 +7,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/commands.h"
-#include "app/output_file.h"
-#include "app/state_file.h"
+#include "app/base/exit_code.h"
+#include "app/base/output_file.h"
+#include "app/command/commands.h"
+#include "app/run/state_file.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

@@ -1,8 +1,8 @@
-#include "app/run_folder.h"
+#include "app/run/run_folder.h"
 
 #include <gtest/gtest.h>
 
-#include "app/output_file.h"
+#include "app/base/output_file.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

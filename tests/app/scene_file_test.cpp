@@ -1,6 +1,6 @@
 // Scene files: what is read, and that a scene written out reads back equal.
-#include "app/keys.h"
-#include "app/scene_text.h"
+#include "app/scene/keys.h"
+#include "app/scene/scene_text.h"
 #include "tests/app/scene_fixture.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

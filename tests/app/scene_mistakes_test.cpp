@@ -1,4 +1,5 @@
 // Scene files that are refused, and with which words.
+#include "sim/mesh/input_error.h"
 #include "tests/app/scene_fixture.h"
 
 namespace app {

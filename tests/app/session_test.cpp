@@ -1,11 +1,12 @@
 // A session without a window: inputs between steps, history, changes while the bodies move.
 #include "app/session/session.h"
 
-#include "app/commands.h"
-#include "app/hexadecimal.h"
-#include "app/scene_text.h"
+#include "app/base/exit_code.h"
+#include "app/base/hexadecimal.h"
+#include "app/command/commands.h"
+#include "app/run/state_file.h"
+#include "app/scene/scene_text.h"
 #include "app/session/effect.h"
-#include "app/state_file.h"
 #include "tests/app/session_scene.h"
 
 namespace app {

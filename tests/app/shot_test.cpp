@@ -1,4 +1,4 @@
-#include "app/shot.h"
+#include "app/picture/shot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/state_file.h"
+#include "app/run/state_file.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,11 @@
 #include <set>
 #include <sstream>
 
-#include "app/commands.h"
-#include "app/scene_file.h"
+#include "app/base/exit_code.h"
+#include "app/command/commands.h"
+#include "app/scene/scene_file.h"
 #include "app/stress/table.h"
+#include "sim/mesh/input_error.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "app/surface.h"
+#include "app/picture/surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // What a scene can do without.
-#include "app/scene_file.h"
-#include "app/scene_text.h"
+#include "app/base/exit_code.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_text.h"
 #include "app/trade/features.h"
 #include "app/trade/trade.h"
 #include "tests/app/trade_scene.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/commands.h"
+#include "app/command/commands.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

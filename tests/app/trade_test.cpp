@@ -3,9 +3,10 @@
 
 #include <cmath>
 
-#include "app/commands.h"
-#include "app/scene_file.h"
-#include "app/scene_text.h"
+#include "app/base/exit_code.h"
+#include "app/command/commands.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_text.h"
 #include "app/trade/case_file.h"
 #include "app/trade/table.h"
 #include "tests/app/trade_scene.h"

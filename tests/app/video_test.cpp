@@ -1,11 +1,11 @@
-#include "app/video.h"
+#include "app/record/video.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/output_file.h"
+#include "app/base/output_file.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {

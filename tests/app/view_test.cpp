@@ -1,4 +1,4 @@
-#include "app/view.h"
+#include "app/picture/view.h"
 
 #include <gtest/gtest.h>
 

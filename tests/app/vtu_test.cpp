@@ -1,4 +1,4 @@
-#include "app/vtu.h"
+#include "app/run/vtu.h"
 
 #include <gtest/gtest.h>
 

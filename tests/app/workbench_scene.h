@@ -1,7 +1,7 @@
 // A workbench whose keys and mouse are moved by a test.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/view/workbench.h"
 #include "render/view.h"
 #include "tests/app/session_scene.h"
 

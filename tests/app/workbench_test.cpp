@@ -1,5 +1,5 @@
 // Keys and mouse without a window.
-#include "app/window/camera_moves.h"
+#include "app/view/camera_moves.h"
 #include "tests/app/workbench_scene.h"
 
 namespace app {

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "sim/build/parts.h"
 #include "sim/material/neo_hookean.h"
 #include "sim/solve/tangent_operator.h"
 #include "tests/benchmark/beam.h"
@@ -24,14 +25,14 @@ struct Terms {
 
   Terms(int n, const char* model, int threads)
       : system(beam(n, model)),
-        tangent(system.parts(), threads),
-        matrix(*system.parts().pattern, 3),
-        x(benchmarks::bent(system.parts().X)),
+        tangent(parts_of(system).model, threads),
+        matrix(*parts_of(system).model.pattern, 3),
+        x(benchmarks::bent(parts_of(system).model.X)),
         v(Eigen::VectorXd::Zero(x.size())),
         f(v),
         p(x),
         motion{x, v, 0, 60},
-        elastic(*system.parts().terms[0]),
+        elastic(*parts_of(system).model.terms[0]),
         store(*tangent.stores()[0]),
         elements(system.counts().elements) {
     elastic.linearise(motion, sim::Definiteness::clamp, store, f);

@@ -9,9 +9,9 @@
 #include <memory>
 #include <string>
 
-#include "app/commands.h"
-#include "app/output_file.h"
-#include "app/pipeline.h"
+#include "app/base/output_file.h"
+#include "app/command/commands.h"
+#include "app/record/pipeline.h"
 #include "render/png.h"
 #include "render/renderer.h"
 #include "tests/benchmark/ball.h"

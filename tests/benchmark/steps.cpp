@@ -1,6 +1,7 @@
 // Milliseconds: a factorisation, a solve, a product with the matrix, a whole step at the default settings.
 #include <benchmark/benchmark.h>
 
+#include "sim/build/parts.h"
 #include "sim/solve/cholesky.h"
 #include "sim/solve/tangent_operator.h"
 #include "tests/benchmark/beam.h"
@@ -16,12 +17,12 @@ struct Factored {
 
   explicit Factored(int n)
       : system(benchmarks::beam(n, "stable-neo-hookean")),
-        tangent(system.parts(), 1),
-        matrix(*system.parts().pattern, 3),
-        x(system.parts().X),
+        tangent(parts_of(system).model, 1),
+        matrix(*parts_of(system).model.pattern, 3),
+        x(parts_of(system).model.X),
         b(Eigen::VectorXd::Ones(x.size())) {
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(x.size());
-    system.parts().pins.mark(0, tangent.free());
+    parts_of(system).model.pins.mark(0, tangent.free());
     Eigen::VectorXd f(x.size());
     tangent.linearise({x, still, 0, 60}, 3600, sim::Definiteness::clamp, f);
     tangent.assemble(matrix);

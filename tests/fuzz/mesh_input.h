@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/error.h"
-#include "app/files/msh.h"
-#include "app/files/obj.h"
-#include "app/files/tetgen.h"
+#include "app/mesh/error.h"
+#include "app/mesh/msh.h"
+#include "app/mesh/obj.h"
+#include "app/mesh/tetgen.h"
 #include "sim/mesh/mesh.h"
 
 namespace app {

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "app/output_file.h"
-#include "app/scene_file.h"
-#include "app/scene_items.h"
-#include "app/scene_text.h"
+#include "app/base/output_file.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_items.h"
+#include "app/scene/scene_text.h"
 
 namespace app {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/output_file.h"
-#include "app/scene_error.h"
+#include "app/base/output_file.h"
+#include "app/scene/scene_error.h"
 #include "app/session/session_file.h"
 #include "app/session/session_log.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/checksum.h"
-#include "app/state_file.h"
+#include "app/base/checksum.h"
+#include "app/run/state_file.h"
 
 namespace app {
 

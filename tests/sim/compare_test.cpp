@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/build.h"
-#include "sim/compare/front.h"
-#include "sim/compare/reference_check.h"
-#include "sim/compare/slope.h"
+#include "sim/build/build.h"
+#include "sim/mesh/input_error.h"
 #include "sim/mesh/quadratic.h"
 #include "sim/mesh/refine.h"
+#include "sim/study/front.h"
+#include "sim/study/reference_check.h"
+#include "sim/study/slope.h"
 #include "sim/time/implicit.h"
 #include "tests/sim/stepping.h"
 
@@ -142,8 +143,7 @@ Trajectory stepped(const Scheme& scheme, int substeps) {
   const System system(scene);
   const Sampler sampler(system, sample_points(system));
   const auto parts = build(scene, 1);
-  parts->scheme = &scheme;
-  ImplicitStepper stepper(*parts, 1);
+  ImplicitStepper stepper(parts->model, scheme, 1);
   State state = system.initial_state();
   Trajectory path;
   for (int k = 1; k <= 15 * substeps; ++k) {

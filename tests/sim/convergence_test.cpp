@@ -2,6 +2,7 @@
 //   u = a sin(k . X) solves -div sigma = b with b = (mu |k|^2 a + (lambda + mu)(a . k) k) sin(k . X)
 #include <Eigen/SparseCholesky>
 
+#include "sim/build/parts.h"
 #include "sim/material/lame.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/geometry.h"
@@ -44,7 +45,7 @@ void for_each_point(const Mesh& mesh, const F& f) {
 double error(const test::Kind& kind, int cells) {
   const Scene scene = test::free_body(kind, "linear", cells);
   System system(scene);
-  const System::Parts& parts = system.parts();
+  const Model& parts = parts_of(system).model;
   const Mesh& mesh = *system.bodies()[0].mesh;
   const int D = parts.D;
   const Manufactured exact(D);

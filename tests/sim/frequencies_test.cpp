@@ -3,6 +3,7 @@
 #include <Spectra/MatOp/SymShiftInvert.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
+#include "sim/build/parts.h"
 #include "sim/mesh/refine.h"
 #include "sim/solve/tangent_operator.h"
 #include "tests/sim/sparse.h"
@@ -13,7 +14,7 @@ namespace {
 
 Eigen::VectorXd frequencies(const Scene& scene, int count) {
   System system(scene);
-  const System::Parts& parts = system.parts();
+  const Model& parts = parts_of(system).model;
   TangentOperator tangent(parts, 1);
   parts.pins.mark(0, tangent.free());
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(parts.dofs());

@@ -1,4 +1,4 @@
-#include "sim/loads.h"
+#include "sim/study/loads.h"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,7 @@
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/generate.h"
 #include "sim/mesh/geometry.h"
+#include "sim/mesh/input_error.h"
 #include "sim/scene.h"
 
 namespace sim::test {

@@ -3,10 +3,10 @@
 
 #include <random>
 
+#include "sim/build/parts.h"
 #include "sim/element/element.h"
 #include "sim/mesh/generate.h"
 #include "sim/mesh/locate.h"
-#include "sim/parts.h"
 #include "sim/stepper.h"
 
 namespace sim::test {

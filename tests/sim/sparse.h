@@ -4,7 +4,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "sim/solve/block_matrix.h"
+#include "sim/math/block_matrix.h"
 
 namespace sim::test {
 

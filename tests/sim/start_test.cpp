@@ -1,5 +1,7 @@
-#include "sim/start/start.h"
+#include "sim/body/start.h"
 
+#include "sim/build/parts.h"
+#include "sim/mesh/input_error.h"
 #include "tests/sim/stepping.h"
 
 namespace sim::test {
@@ -14,7 +16,7 @@ Scene started(const std::string& shape, const Kind& kind = tets) {
 }
 
 ElasticTerm::SmallestJ smallest_J(const System& system) {
-  const ElasticTerm& term = *system.parts().elastic[0];
+  const ElasticTerm& term = *parts_of(system).model.elastic[0].term;
   return term.smallest_J(system.initial_state().x, *term.make_store(1));
 }
 
@@ -37,8 +39,8 @@ TEST(Start, OneInvertedTetHasJMinusOne) {
   EXPECT_LE(smallest_J(system).J, -1 + 1e-9);
   const State state = system.initial_state();
   int moved = 0;
-  for (int i = 0; i < system.parts().node_count; ++i)
-    moved += (state.x - system.parts().X).segment(3 * i, 3).norm() > 0;
+  for (int i = 0; i < parts_of(system).model.node_count; ++i)
+    moved += (state.x - parts_of(system).model.X).segment(3 * i, 3).norm() > 0;
   EXPECT_EQ(moved, 1);
 }
 
@@ -47,7 +49,7 @@ TEST(Start, AmountDirectionAndPerturbationAreTaken) {
   scene.bodies[0].start.amount = 3;
   scene.bodies[0].start.direction = Vec3(0, 0, 1);
   const System system(scene);
-  const Eigen::VectorXd x = system.initial_state().x, X = system.parts().X;
+  const Eigen::VectorXd x = system.initial_state().x, X = parts_of(system).model.X;
   const auto extent = [](const Eigen::VectorXd& v, int c) {
     const auto row = v.reshaped(3, v.size() / 3).row(c);
     return row.maxCoeff() - row.minCoeff();

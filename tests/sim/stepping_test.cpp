@@ -1,8 +1,10 @@
 // What a step keeps: exact free fall, the same bits for any threads and any way of getting there, pins, no matrix.
 #include "tests/sim/stepping.h"
 
+#include "sim/build/parts.h"
+#include "sim/mesh/input_error.h"
 #include "sim/solve/linear_solver.h"
-#include "sim/useful_threads.h"
+#include "sim/stepper.h"
 
 namespace sim {
 namespace {
@@ -28,7 +30,7 @@ TEST(FreeFall, IsExact) {
     // x = v t + g t (t + e h)/2 with e = 1 for the two Euler schemes.
     const double e = scheme.order == 2 ? 0 : 1;
     const Vec3 moved = scene.bodies[0].velocity * t + scene.world.gravity * t * (t + e * h) / 2;
-    const Eigen::VectorXd& X = run.system.parts().X;
+    const Eigen::VectorXd& X = parts_of(run.system).model.X;
     for (Eigen::Index i = 0; i < X.size(); ++i) EXPECT_NEAR(run.state.x[i] - X[i], moved[i % 3], 1e-9) << scheme.name;
   }
 }
@@ -53,7 +55,7 @@ TEST(UsefulThreads, GrowWithTheBody) {
   for (const int n : {1, 4, 6}) {
     const System system(test::beam("tet4", n));
     const int threads = useful_threads(system, 64);
-    EXPECT_EQ(threads, std::max<int>(1, static_cast<int>(system.parts().dofs()) / 1700));
+    EXPECT_EQ(threads, std::max<int>(1, static_cast<int>(parts_of(system).model.dofs()) / 1700));
     EXPECT_EQ(useful_threads(system, 1), 1);
     EXPECT_GE(threads, before);
     before = threads;
@@ -97,13 +99,13 @@ TEST(Explicit, FormsNoMatrix) {
   scene.time.integrator = "symplectic-euler";
   scene.time.substeps = 0;
   Stepped run(scene);
-  EXPECT_FALSE(run.system.parts().pattern.has_value());
+  EXPECT_FALSE(parts_of(run.system).model.pattern.has_value());
   EXPECT_EQ(run.system.counts().nonzeros, 0);
   scene.time.integrator = "backward-euler";
   scene.solver.linear = "pcg";
-  EXPECT_FALSE(System(scene).parts().pattern.has_value()) << "matrix-free";
+  EXPECT_FALSE(parts_of(System(scene)).model.pattern.has_value()) << "matrix-free";
   scene.solver.linear = "cholmod";
-  EXPECT_TRUE(System(scene).parts().pattern.has_value());
+  EXPECT_TRUE(parts_of(System(scene)).model.pattern.has_value());
 }
 
 TEST(Explicit, TakesTheStepsThatStabilityNeeds) {
@@ -143,7 +145,7 @@ TEST(Pins, FollowTheirScriptAndLetGo) {
   Stepped run(scene);
   run.steps(15);  // t = 0.25: half-way
   const double c = std::sqrt(0.5);
-  const Eigen::VectorXd& X = run.system.parts().X;
+  const Eigen::VectorXd& X = parts_of(run.system).model.X;
   int held = 0;
   for (const int node : run.system.pinned_nodes(0.25)) {
     const double y = X[3 * node + 1] - 0.5, z = X[3 * node + 2] - 0.5;

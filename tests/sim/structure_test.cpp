@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "sim/build/parts.h"
 #include "sim/solve/tangent_operator.h"
 #include "tests/sim/scenes.h"
 
@@ -26,9 +27,9 @@ std::vector<Pair> pairs() {
 
 class Structure : public ::testing::TestWithParam<Pair> {
  protected:
-  Structure() : system_(test::free_body(GetParam().kind, GetParam().model)), tangent_(system_.parts(), 1) {
-    const Eigen::Index n = system_.parts().dofs();
-    x_ = system_.parts().X + test::random_vector(n, 0.05, 3);
+  Structure() : system_(test::free_body(GetParam().kind, GetParam().model)), tangent_(parts_of(system_).model, 1) {
+    const Eigen::Index n = parts_of(system_).model.dofs();
+    x_ = parts_of(system_).model.X + test::random_vector(n, 0.05, 3);
     p_ = test::random_vector(n, 1, 4);
     f_.resize(n);
   }
@@ -48,7 +49,7 @@ class Structure : public ::testing::TestWithParam<Pair> {
   }
   Eigen::MatrixXd matrix(Definiteness fix) {
     tangent_.linearise(at(x_), 0, fix, f_);
-    BlockMatrix A(*system_.parts().pattern, system_.dimension());
+    BlockMatrix A(*parts_of(system_).model.pattern, system_.dimension());
     tangent_.assemble(A);
     Eigen::MatrixXd dense(x_.size(), x_.size());
     for (Eigen::Index k = 0; k < x_.size(); ++k) {
@@ -61,7 +62,7 @@ class Structure : public ::testing::TestWithParam<Pair> {
 
   System system_;
   TangentOperator tangent_;
-  Eigen::VectorXd still_ = Eigen::VectorXd::Zero(system_.parts().dofs());
+  Eigen::VectorXd still_ = Eigen::VectorXd::Zero(parts_of(system_).model.dofs());
   Eigen::VectorXd x_, p_, f_;
 };
 
@@ -125,7 +126,7 @@ TEST_P(Structure, PatchTest) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Identity(D, D);
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) A(i, j) += 0.05 * (i + 1) - 0.03 * j;
-  const Eigen::VectorXd& X = system_.parts().X;
+  const Eigen::VectorXd& X = parts_of(system_).model.X;
   Eigen::VectorXd x(X.size());
   for (Eigen::Index i = 0; i < X.size(); i += D) x.segment(i, D) = A * X.segment(i, D);
   const Eigen::VectorXd f = forces(x);

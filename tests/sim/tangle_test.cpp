@@ -3,8 +3,9 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/build/parts.h"
 #include "sim/math/rigid_fit.h"
-#include "sim/recovery.h"
+#include "sim/study/recovery.h"
 #include "sim/term/untangle.h"
 #include "tests/sim/stepping.h"
 
@@ -68,10 +69,10 @@ TEST(RigidFit, FindsRotationAndTranslationAndNoMirrorImage) {
 TEST(Recovery, AMirrorImageIsAnotherShapeInThePlaneToo) {
   for (const Kind& kind : {Kind{"tri3", false}, Kind{"tet4", false}}) {
     const System system(free_body(kind, "linear", 2));
-    Eigen::VectorXd x = system.parts().X;
-    EXPECT_LT(shape_distance(system, x, system.parts().X), 1e-12);
+    Eigen::VectorXd x = parts_of(system).model.X;
+    EXPECT_LT(shape_distance(system, x, parts_of(system).model.X), 1e-12);
     for (Eigen::Index i = 0; i < x.size(); i += system.dimension()) x[i] *= -1;
-    EXPECT_GT(shape_distance(system, x, system.parts().X), 0.1) << kind.element;
+    EXPECT_GT(shape_distance(system, x, parts_of(system).model.X), 0.1) << kind.element;
   }
 }
 
@@ -81,7 +82,7 @@ TEST(Untangle, ForceAndProductAreTheDerivativesOfTheEnergy) {
   scene.bodies[0].untangle = 2;
   scene.bodies[0].start.shape = "scrambled";
   const System system(scene);
-  const auto& terms = system.parts().terms;
+  const auto& terms = parts_of(system).model.terms;
   const auto term =
       std::find_if(terms.begin(), terms.end(), [](const auto& t) { return t->info().name == "untangle body"; });
   ASSERT_NE(term, terms.end());
@@ -106,7 +107,7 @@ TEST(Untangle, ForceAndProductAreTheDerivativesOfTheEnergy) {
   EXPECT_LT((Kp + (force(x + e * p) - force(x - e * p)) / (2 * e)).norm(), 1e-6 * Kp.norm());
   EXPECT_LT((Kp - d.cwiseProduct(p)).norm(), 1e-12 * Kp.norm());
   EXPECT_GT(Kp.norm(), 0);
-  (*term)->begin_step({system.parts().X, state.v, 0, 0}, *store);
+  (*term)->begin_step({parts_of(system).model.X, state.v, 0, 0}, *store);
   EXPECT_EQ(force(x).norm(), 0);
 }
 

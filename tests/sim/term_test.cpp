@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/build/parts.h"
 #include "sim/solve/tangent_operator.h"
 #include "tests/sim/stepping.h"
 
@@ -23,7 +24,7 @@ Scene everything() {
 
 class Terms : public ::testing::Test {
  protected:
-  Terms() : system_(everything()), parts_(system_.parts()), tangent_(parts_, 1) {
+  Terms() : system_(everything()), parts_(parts_of(system_).model), tangent_(parts_, 1) {
     x_ = parts_.X + test::random_vector(parts_.dofs(), 5e-4, 1);
     v_ = test::random_vector(parts_.dofs(), 0.01, 2);
     p_ = test::random_vector(parts_.dofs(), 1, 3);
@@ -37,7 +38,7 @@ class Terms : public ::testing::Test {
   }
 
   System system_;
-  const System::Parts& parts_;
+  const Model& parts_;
   TangentOperator tangent_;
   Eigen::VectorXd x_, v_, p_;
   double rate_ = 60;
@@ -105,8 +106,8 @@ TEST(Traction, AddsUpToItsValueTimesTheArea) {
     scene.world.gravity = {0, 0, 0};
     scene.bodies[0].tractions = {Traction{InGroup{"right"}, {30, -20, 50}, 2.0}};
     System system(scene);
-    const auto& term = *system.parts().terms[1];
-    const Eigen::VectorXd& X = system.parts().X;
+    const auto& term = *parts_of(system).model.terms[1];
+    const Eigen::VectorXd& X = parts_of(system).model.X;
     const auto store = term.make_store(1);
     for (const auto& [t, share] : {std::pair{0.0, 0.0}, {1.0, 0.5}, {2.0, 1.0}, {9.0, 1.0}}) {
       Eigen::VectorXd f = Eigen::VectorXd::Zero(X.size());
@@ -136,8 +137,8 @@ TEST(Traction, OnAMembraneActsOnItsFaces) {
       body.tractions = {Traction{Box{low, {3, 2, 1}}, {0, 0, 50}, 0}};
       scene.bodies = {body};
       System system(scene);
-      const auto& term = *system.parts().terms[1];
-      const Eigen::VectorXd& X = system.parts().X;
+      const auto& term = *parts_of(system).model.terms[1];
+      const Eigen::VectorXd& X = parts_of(system).model.X;
       Eigen::VectorXd f = Eigen::VectorXd::Zero(X.size());
       term.add_forces({X, X, 1, 0}, *term.make_store(1), f);
       EXPECT_NEAR(f.sum(), 50 * area, 1e-12);

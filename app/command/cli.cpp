@@ -1,0 +1,204 @@
+#include "app/command/cli.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <ostream>
+#include <thread>
+
+#include "app/base/exit_code.h"
+#include "app/command/cli_options.h"
+#include "app/command/commands.h"
+#include "app/command/trade_cli.h"
+
+namespace app {
+namespace {
+
+constexpr int kLargestSize = 8192;  // pixels; what software rasterisers draw
+constexpr int kMostThreads = 1024;
+constexpr int kMost = 1'000'000'000;  // of a count
+
+// KEY=VALUE; the value may hold more '='.
+void add_override(std::vector<Override>& overrides, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    throw CLI::ValidationError("--set " + text, "must be KEY=VALUE, as in --set time.step=0.005");
+  }
+  overrides.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
+}
+
+// "1280x720"
+void read_size(Options& options, const std::string& text) {
+  const char* const end = text.data() + text.size();
+  const auto [x, width_error] = std::from_chars(text.data(), end, options.width);
+  const bool has_x = width_error == std::errc{} && x != end && *x == 'x';
+  const auto [rest, height_error] = std::from_chars(has_x ? x + 1 : end, end, options.height);
+  const auto fits = [](int size) { return size >= 1 && size <= kLargestSize; };
+  if (!has_x || height_error != std::errc{} || rest != end || !fits(options.width) || !fits(options.height)) {
+    throw CLI::ValidationError("--size " + text, "must be WIDTHxHEIGHT in pixels, each 1 to 8192, as in 1280x720");
+  }
+}
+
+void add_scene_options(CLI::App& command, Options& options) {
+  add_named(command, "SCENE", options.scene, "Scene file (TOML)", "TEXT")->required();
+  command
+      .add_option_function<std::string>(
+          "--set", [&options](const std::string& text) { add_override(options.overrides, text); },
+          "Set a key of the scene, as in --set time.step=0.005 or --set body.0.material.poisson=0.49; repeatable")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->trigger_on_parse();
+  add_named(command, "--settings", options.settings, "TOML file whose keys overlay the scene", "FILE");
+  for (const char* const name : {"seconds", "fps"}) {
+    const std::string option = std::string("--") + name;
+    command
+        .add_option_function<std::string>(
+            option,
+            [&options, option, name](const std::string& value) {
+              options.overrides.push_back({std::string("time.") + name, value, option + " " + value});
+            },
+            name == std::string_view("fps") ? "Frames per simulated second (time.fps)"
+                                            : "Simulated time in s (time.seconds)")
+        ->type_name("NUMBER")
+        ->trigger_on_parse();
+  }
+  command.add_option("--threads", options.threads, "Cores to use; the results do not depend on it")
+      ->check(CLI::Range(1, kMostThreads))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option_function<std::uint64_t>(
+          "--seed",
+          [&options](const std::uint64_t& seed) {
+            options.seed = seed;
+            options.overrides.push_back({"seed", std::to_string(seed), "--seed " + std::to_string(seed)});
+          },
+          "Of everything random in a scene [1]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N")
+      ->trigger_on_parse();
+  command.add_flag("--quiet", options.quiet, "No progress; errors only");
+}
+
+void add_output_options(CLI::App& command, Options& options) {
+  CLI::Option* const out =
+      add_named(command, "-o,--out", options.out, "Run folder; out/NAME of the scene file when not given", "DIR");
+  add_named(command, "--resume", options.resume, "Go on in this run folder, from its state.bin", "DIR")->excludes(out);
+  command.add_flag("--overwrite", options.overwrite, "Replace what an earlier run left in the run folder");
+  command.add_flag("--vtu", options.vtu, "Write VTU files and a .pvd for ParaView, one per frame");
+}
+
+void add_size_options(CLI::App& command, Options& options, const char* what) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { read_size(options, text); }, what)
+      ->type_name("WxH");
+  command.add_option("--samples", options.samples, "Samples per pixel: 1 is fast and jagged, 8 slow and smooth")
+      ->check(CLI::IsMember({1, 2, 4, 8}))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  add_size_options(command, options, "Size of a frame in pixels [1280x720]");
+  CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
+                                 ->check(CLI::Range(1, kMost))
+                                 ->type_name("N");
+  command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
+  add_named(command, "--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif",
+            "FILE");
+  command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
+  command.add_option("--replay", options.replay, "Draw a session that `ritz view --log` has written")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile)
+      ->excludes("--resume", "--still", "--vtu");
+}
+
+void add_expect_options(CLI::App& command, Options& options) {
+  CLI::Option* const expect =
+      add_named(command, "--expect", options.expect,
+                "Compare with the frame_*.png of this folder; exit code 4 where one differs", "DIR");
+  expect->excludes(command.get_option("--resume"));
+  command
+      .add_option("--expect-difference", options.expect_difference,
+                  "Pixels are equal when no channel differs by more than this, of 255")
+      ->check(CLI::Range(0, 255))
+      ->needs(expect)
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--expect-share", options.expect_share, "Share of the pixels that may differ")
+      ->check(within(0, 1))
+      ->needs(expect)
+      ->type_name("SHARE")
+      ->capture_default_str();
+}
+
+void add_trade_output_options(CLI::App& command, Options& options) {
+  add_named(command, "-o,--out", options.out, "Folder; out/trade/NAME of the scene file when not given", "DIR");
+  command.add_flag("--overwrite", options.overwrite, "Measure anew what an earlier trade left in the folder");
+}
+
+void add_stress_options(CLI::App& command, Options& options) {
+  add_scene_options(command, options);
+  command.get_option("SCENE")->required(false);
+  add_named(command, "-o,--out", options.out, "Folder of stress.csv [out/stress]", "DIR");
+  command.add_flag("--overwrite", options.overwrite, "Replace the stress.csv of an earlier run");
+  command.add_flag("--quick", options.quick, "A part of the matrix, under a minute");
+  command.add_option("--seeds", options.seeds, "Run each case so often, with seeds from --seed on")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
+  command
+      .add_option("--only", options.only,
+                  "The cases with this in their name, as in --only \"start/*tet4*sdirk2\"; * is anything")
+      ->type_name("PATTERN");
+}
+
+void add_window_options(CLI::App& command, Options& options) {
+  add_size_options(command, options, "Size of the window in pixels [1280x720]");
+  add_named(command, "--log", options.log, "Write every input with its step, for ritz record --replay", "FILE");
+  command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
+  add_named(command, "-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given",
+            "DIR");
+}
+
+}  // namespace
+
+std::optional<Options> parse_command_line(const std::vector<std::string>& arguments, std::ostream& out,
+                                          std::ostream& err, int& exit_code) {
+  Options options;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  CLI::App app("Animates elastic bodies by the finite element method and draws them without a display.", "ritz");
+  app.require_subcommand(1);
+  app.footer(
+      "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
+      "3 numerical failure, 4 frames differ from --expect, 130 interrupted.");
+
+  for (const Command& command : commands()) app.add_subcommand(std::string(command.name), std::string(command.what));
+  const auto command = [&](const char* name) -> CLI::App& { return *app.get_subcommand(name); };
+  for (const char* const name : {"record", "run", "view", "explain", "trade"})
+    add_scene_options(command(name), options);
+  for (const char* const name : {"record", "run"}) add_output_options(command(name), options);
+  add_picture_options(command("record"), options);
+  add_window_options(command("view"), options);
+  add_expect_options(command("record"), options);
+  add_trade_output_options(command("trade"), options);
+  add_trade_options(command("trade"), options.trade);
+  add_stress_options(command("stress"), options);
+  CLI::App& explain = command("explain");
+  CLI::Option* const keys =
+      explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
+  explain.get_option("SCENE")->required(false);
+  explain.get_option("SCENE")->excludes(keys);
+
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    app.parse(reversed);
+    if (explain.parsed() && !options.keys && options.scene.empty()) throw CLI::RequiredError("SCENE");
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
+    return std::nullopt;
+  }
+  options.command = app.get_subcommands().front()->get_name();
+  return options;
+}
+
+}  // namespace app

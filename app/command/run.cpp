@@ -1,0 +1,34 @@
+#include "app/base/output_file.h"
+#include "app/command/commands.h"
+#include "app/run/run_loop.h"
+#include "app/run/run_start.h"
+
+namespace app {
+namespace {
+
+// Draws nothing; only keeps the state to resume from.
+class NoPictures : public FrameSink {
+ public:
+  explicit NoPictures(const RunFolder& folder) : folder_(folder) {}
+  void add(Moment, std::string checkpoint) override {
+    if (!checkpoint.empty()) write_atomically(folder_.state(), checkpoint, true);
+  }
+  void finish() override {}
+  FrameSeconds seconds() const override { return {}; }
+
+ private:
+  const RunFolder& folder_;
+};
+
+}  // namespace
+
+int run(const Options& options) {
+  const Simulation simulation = build_simulation(options);
+  const RunFolder folder = open_run_folder(options);
+  const Start start = make_start(simulation, folder, !options.resume.empty());
+  NoPictures nothing(folder);
+  const Outcome outcome = run_loop(simulation, options, folder, start, nothing);
+  return conclude(simulation, options, folder, outcome);
+}
+
+}  // namespace app

@@ -1,0 +1,34 @@
+#include "app/command/trade_cli.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/command/cli_options.h"
+
+namespace app {
+
+void add_trade_options(CLI::App& command, TradeOptions& options) {
+  CLI::Option* const minutes = command.add_option("--minutes", options.minutes, "Wall time that may be taken")
+                                   ->check(within(0.05, 1e5))
+                                   ->type_name("M")
+                                   ->capture_default_str();
+  command.add_flag("--quick", options.quick, "Under one minute")->excludes(minutes);
+  CLI::Option* const target =
+      command.add_option("--target", options.target, "Find the fastest settings within this error: 1%, 0.1%, 1px")
+          ->type_name("ERROR");
+  command
+      .add_option("--budget", options.budget,
+                  "Find the most accurate settings within this time: 33ms a frame, 60s for the scene, realtime")
+      ->type_name("TIME")
+      ->excludes(target);
+  command.add_flag("--keep-mesh", options.keep_mesh, "Try no other mesh: --target bounds the time error");
+  add_named(command, "--compare", options.compare, "A second scene, or settings over this one, on the same diagram",
+            "FILE");
+  CLI::Option* const jobs = command.add_flag("--jobs", options.jobs, "List the cases that can be run independently");
+  CLI::Option* const one = add_named(command, "--case", options.one_case, "Run one of them", "K")->excludes(jobs);
+  command.add_flag("--collect", options.collect, "Table and advice from the cases that were run")
+      ->excludes(jobs)
+      ->excludes(one);
+  command.add_flag("--ablate", options.ablate, "Remove one feature of the scene at a time: what it costs and changes");
+}
+
+}  // namespace app

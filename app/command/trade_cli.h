@@ -1,0 +1,14 @@
+// The options of `ritz trade` on the command line.
+#pragma once
+
+#include "app/options/trade_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+void add_trade_options(CLI::App& command, TradeOptions& options);
+
+}  // namespace app

@@ -1,0 +1,130 @@
+#include "app/mesh/msh.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "app/mesh/msh2.h"
+#include "app/mesh/msh4.h"
+#include "app/mesh/msh_mesh.h"
+
+namespace app {
+namespace {
+
+struct Format {
+  bool version4;  // else 2.0 to 2.2
+  bool binary;
+  bool swapped;
+};
+
+// In binary files the integer 1 follows the line of the format: it tells the byte order.
+bool read_byte_order(Cursor& in) {
+  in.rest_of_line();
+  in.use_offsets();
+  std::array<char, 4> raw;
+  in.bytes(4, "the byte order mark").copy(raw.data(), raw.size());
+  const auto mark = std::bit_cast<std::int32_t>(raw);
+  if (mark != 1 && mark != 0x01000000) {
+    in.fail("the byte order mark is " + std::to_string(mark) + "; it should be 1 in one byte order or the other");
+  }
+  return mark != 1;
+}
+
+// $MeshFormat, version, 0 for text or 1 for binary, bytes of a real number (2.x) or a count (4.1).
+Format read_format(Cursor& in) {
+  in.expect("$MeshFormat");
+  const std::string_view version = in.word("the version of the MSH format");
+  const bool version4 = version == "4.1";
+  if (!version4 && version != "2" && version != "2.0" && version != "2.1" && version != "2.2") {
+    in.fail("MSH version " + quote(version) +
+            " is not read; 2.2 and 4.1 are: gmsh FILE -save -format msh41 -o NEW.msh writes the latter");
+  }
+  Format format{version4, in.integer("the file type", 0, 1) == 1, false};
+  in.integer("the data size", 8, 8);
+  if (format.binary) format.swapped = read_byte_order(in);
+  in.expect("$EndMeshFormat");
+  return format;
+}
+
+// Always text: dimension, tag and "name" of each group.
+void read_physical_names(Cursor& in, MshContents& contents) {
+  constexpr int any = std::numeric_limits<int>::max();
+  constexpr std::string_view what = "the number of physical names";
+  const int count = in.checked_count(in.whole(what), 7, what);
+  for (int i = 0; i < count; ++i) {
+    const auto dimension = static_cast<int>(in.integer("the dimension of a physical group", 0, 3));
+    const auto tag = static_cast<int>(in.integer("the tag of a physical group", 0, any));
+    contents.names[{dimension, tag}] = in.quoted("the name of a physical group");
+  }
+}
+
+void skip_section(Cursor& in, const std::string& section) {
+  if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
+    in.fail(quote(section) + " stands where a section such as $Nodes should begin");
+  }
+  if (section == "$PartitionedEntities" || section == "$ParametricNodes") {
+    in.fail(section + " is not read: save the mesh without partitions and without parametric coordinates");
+  }
+  const std::string end = "$End" + section.substr(1);
+  if (!in.skip_past("\n" + end)) in.fail("the section " + quote(section) + " has no end " + quote(end));
+}
+
+class Sections {
+ public:
+  Sections(Cursor& in, const Format& format) : in_(in), format_(format), fields_(in, format.binary, format.swapped) {}
+
+  // The sections in the order of the file, up to its end.
+  MshContents read() {
+    while (!in_.finished()) read_section(std::string(in_.word("a section")));
+    if (!have_nodes_ || !have_elements_) {
+      in_.fail(std::string("the file ends without a section ") + (have_nodes_ ? "$Elements" : "$Nodes"));
+    }
+    return std::move(contents_);
+  }
+
+ private:
+  void read_section(const std::string& section) {
+    if (section == "$PhysicalNames") {
+      read_physical_names(in_, contents_);
+    } else if (section == "$Nodes") {
+      start(section, have_nodes_);
+      format_.version4 ? read_msh4_nodes(fields_, contents_) : read_msh2_nodes(fields_, contents_);
+    } else if (section == "$Elements") {
+      start(section, have_elements_);
+      if (!have_nodes_) in_.fail("$Elements stands before $Nodes; it should follow");
+      format_.version4 ? read_msh4_elements(fields_, entities_, contents_) : read_msh2_elements(fields_, contents_);
+    } else if (section == "$Entities" && format_.version4) {
+      if (format_.binary) in_.rest_of_line();
+      entities_ = read_msh4_entities(fields_);
+    } else {
+      return skip_section(in_, section);
+    }
+    in_.expect("$End" + section.substr(1));
+  }
+
+  // One such section only. In binary 4.1 its bytes start on the next line; 2.x has its count there, as text.
+  void start(const std::string& section, bool& have) {
+    if (have) in_.fail("a second section " + section + "; there should be one");
+    have = true;
+    if (format_.binary) in_.rest_of_line();
+  }
+
+  Cursor& in_;
+  Format format_;
+  MshFields fields_;
+  MshContents contents_;
+  MshEntities entities_;
+  bool have_nodes_ = false, have_elements_ = false;
+};
+
+}  // namespace
+
+sim::Mesh read_msh(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
+  Cursor in(content, name);
+  const Format format = read_format(in);
+  const MshContents contents = Sections(in, format).read();
+  return make_mesh(contents, std::string(name), remarks);
+}
+
+}  // namespace app

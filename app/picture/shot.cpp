@@ -1,0 +1,120 @@
+#include "app/picture/shot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/picture/view.h"
+
+namespace app {
+namespace {
+
+constexpr double kSwing = 1.1;  // how far a body may leave the first box, as a share of it, before the camera moves
+
+Vec3 to_vector(const render::Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+// The bodies at rest and where they will fall: the scene tells both before a step is taken.
+Eigen::AlignedBox3d first_box(const sim::System& system, const sim::Scene& scene) {
+  Eigen::AlignedBox3d box = rest_box(system.bodies());
+  const Eigen::AlignedBox3d bodies = box;
+  const double near_by = 20 * bodies.sizes().norm();
+  for (const sim::Obstacle& obstacle : scene.obstacles) {
+    if (const auto* ball = std::get_if<sim::Sphere>(&obstacle.shape)) {
+      const Vec3 reach = Vec3::Constant(ball->radius);
+      if (bodies.exteriorDistance(ball->centre) < near_by)
+        box.extend(Eigen::AlignedBox3d(ball->centre - reach, ball->centre + reach));
+      continue;
+    }
+    const auto& plane = std::get<sim::Plane>(obstacle.shape);
+    const Vec3 down = scene.world.gravity.normalized();
+    const double along = plane.normal.dot(down);
+    if (!(along < -0.1)) continue;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 corner = bodies.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+      const double fall = plane.normal.dot(plane.point - corner) / along;
+      if (fall > 0 && fall < near_by) box.extend(corner + fall * down);
+    }
+  }
+  if (scene.dimension == 2) box.min().z() = box.max().z() = 0;
+  return box;
+}
+
+Eigen::AlignedBox3d box_of(const Eigen::VectorXd& x, int dimension) {
+  const Eigen::Map<const Eigen::MatrixXd> points(x.data(), dimension, x.size() / dimension);
+  Eigen::AlignedBox3d box{Vec3::Zero(), Vec3::Zero()};
+  box.min().head(dimension) = points.rowwise().minCoeff();
+  box.max().head(dimension) = points.rowwise().maxCoeff();
+  return box;
+}
+
+// Between two poses by s^2 (3 - 2 s): the camera speeds up and slows down.
+CameraPose pose_at(const std::vector<CameraPose>& keyframes, double t) {
+  if (keyframes.empty()) return {};
+  const auto after = std::ranges::upper_bound(keyframes, t, {}, &CameraPose::t);
+  if (after == keyframes.begin()) return keyframes.front();
+  if (after == keyframes.end()) return keyframes.back();
+  const CameraPose &a = *(after - 1), &b = *after;
+  const double s = (t - a.t) / (b.t - a.t), share = s * s * (3 - 2 * s);
+  return {t, std::lerp(a.turn, b.turn, share), std::lerp(a.tilt, b.tilt, share),
+          a.zoom * std::pow(b.zoom / a.zoom, share)};
+}
+
+// From the target to the eye, turned about `up` and raised, but never as far as straight above or below.
+Vec3 turned(const Vec3& arm, const Vec3& up, double turn, double tilt) {
+  const Vec3 around = Eigen::AngleAxisd(radians(turn), up) * arm;
+  if (tilt == 0) return around;
+  const double height = std::asin(std::clamp(around.normalized().dot(up), -1.0, 1.0));
+  const double wanted = std::clamp(height + radians(tilt), -radians(89), radians(89));
+  const Vec3 level = (around - around.dot(up) * up).normalized();
+  return around.norm() * (std::cos(wanted) * level + std::sin(wanted) * up);
+}
+
+}  // namespace
+
+Shot::Shot(const sim::System& system, const Document& document, double aspect)
+    : system_(system), camera_(document.camera), aspect_(aspect), first_(first_box(system, document.scene)) {
+  for (const sim::BodyRange& body : system.bodies()) {
+    if (!camera_.follow.empty() && body.name == camera_.follow) followed_ = &body;
+  }
+  if (followed_ != nullptr) start_ = middle_of_followed(system.initial_state().x);
+}
+
+Vec3 Shot::middle_of_followed(const Eigen::VectorXd& x) const {
+  const int D = system_.dimension();
+  const Eigen::Map<const Eigen::MatrixXd> points(x.data() + std::ptrdiff_t{D} * followed_->first_node, D,
+                                                 followed_->node_count);
+  Vec3 middle = Vec3::Zero();
+  middle.head(D) = points.rowwise().mean();
+  return middle;
+}
+
+render::Camera Shot::at(const sim::State& state) const {
+  Eigen::AlignedBox3d box = first_;
+  if (followed_ == nullptr) {
+    const Eigen::AlignedBox3d now = box_of(state.x, system_.dimension());
+    const Vec3 middle = first_.center();
+    box.extend(Vec3(middle + (now.min() - middle) / kSwing));
+    box.extend(Vec3(middle + (now.max() - middle) / kSwing));
+  }
+  render::Camera view = view_of(camera_, box, system_.dimension(), aspect_);
+  const double t = system_.time(state.step);
+  const CameraPose pose = pose_at(camera_.keyframes, t);
+  const Vec3 shift = followed_ != nullptr ? Vec3(middle_of_followed(state.x) - start_) : Vec3(Vec3::Zero());
+  const Vec3 target = to_vector(view.target) + shift;
+  Vec3 arm = to_vector(view.eye) - to_vector(view.target);
+  if (!view.orthographic) arm = turned(arm, camera_.up, pose.turn + camera_.orbit * t, pose.tilt);
+  view.target = to_point(target);
+  view.eye = to_point(target + arm);
+  view.height = static_cast<float>(view.height / pose.zoom);
+  const double half = std::tan(radians(view.field_of_view) / 2) / pose.zoom;
+  view.field_of_view = static_cast<float>(2 * std::atan(half) * 180 / std::numbers::pi);
+  return view;
+}
+
+}  // namespace app

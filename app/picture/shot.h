@@ -1,0 +1,32 @@
+// The camera over time.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "app/scene/document.h"
+#include "render/frame.h"
+#include "sim/system.h"
+
+namespace app {
+
+// Where the scene leaves the camera open, it stands where all bodies are seen, and draws back while one of them is
+// about to leave the picture: its place depends on the state alone, not on the frames before.
+class Shot {
+ public:
+  // `aspect`: width / height of the pictures. Both other arguments must outlive it.
+  Shot(const sim::System& system, const Document& document, double aspect);
+
+  render::Camera at(const sim::State& state) const;
+
+ private:
+  Vec3 middle_of_followed(const Eigen::VectorXd& x) const;
+
+  const sim::System& system_;
+  const Camera& camera_;
+  double aspect_;
+  Eigen::AlignedBox3d first_;  // seen from the start where the scene leaves the camera open
+  const sim::BodyRange* followed_ = nullptr;
+  Vec3 start_ = Vec3::Zero();  // of the followed body's middle
+};
+
+}  // namespace app

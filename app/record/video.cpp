@@ -1,0 +1,159 @@
+#include "app/record/video.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "app/base/output_file.h"
+
+namespace app {
+namespace {
+
+std::string rate(int fps, int every) {
+  return every == 1 ? std::to_string(fps) : std::to_string(fps) + "/" + std::to_string(every);
+}
+
+// H.264 in a form that every player shows: 4:2:0 wants even sizes, so one row or column is repeated where needed.
+const std::vector<std::string> kMp4 = {
+    "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-movflags",
+    "+faststart"};
+
+// Each picture has 256 colours of its own: a palette for all of them would need all of them in memory. Players show at
+// most 50 a second; round=up keeps the first one of a video that is shorter than that.
+const std::vector<std::string> kGif = {
+    "-filter_complex",
+    "fps='min(50,source_fps)':round=up,split[a][b];[a]palettegen=stats_mode=single[p];[b][p]"
+    "paletteuse=new=1:dither=bayer:bayer_scale=4"};
+
+bool is_gif(const std::filesystem::path& file) {
+  return file.extension() == ".gif";
+}
+
+const std::vector<std::string>& encoding(const std::filesystem::path& file) {
+  return is_gif(file) ? kGif : kMp4;
+}
+
+std::vector<std::string> arguments(const std::string& file, const VideoFormat& format) {
+  std::vector<std::string> list = {"ffmpeg",
+                                   "-loglevel",
+                                   "error",
+                                   "-y",
+                                   "-f",
+                                   "rawvideo",
+                                   "-pixel_format",
+                                   "rgba",
+                                   "-video_size",
+                                   std::to_string(format.width) + "x" + std::to_string(format.height),
+                                   "-framerate",
+                                   rate(format.fps, format.every),
+                                   "-i",
+                                   "pipe:0"};
+  list.insert(list.end(), encoding(file).begin(), encoding(file).end());
+  list.push_back("file:" + file);
+  return list;
+}
+
+// Starts a program with `input` as its standard input and nothing as its output, in a process group of its own so that
+// Ctrl+C does not reach it: it ends by itself when its input does. Returns an errno value.
+int spawn(std::vector<std::string> words, int input, pid_t& process) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int error = posix_spawnp(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+}  // namespace
+
+std::string video_command(const std::filesystem::path& frames, const std::filesystem::path& file, int fps, int every) {
+  std::string command =
+      "ffmpeg -framerate " + rate(fps, every) + " -pattern_type glob -i '" + (frames / "frame_*.png").string() + "'";
+  for (const std::string& word : encoding(file)) command += word.starts_with('-') ? " " + word : " \"" + word + "\"";
+  return command + " '" + file.string() + "'";
+}
+
+Video::Video(std::filesystem::path file, const VideoFormat& format, bool overwrite) : file_(std::move(file)) {
+  if (file_.extension() != ".mp4" && !is_gif(file_)) {
+    throw std::runtime_error("--video " + file_.string() + ": the name of the video must end in .mp4 or .gif");
+  }
+  if (!overwrite && std::filesystem::exists(file_)) {
+    throw std::runtime_error("--video " + file_.string() + ": exists already; choose another name or add --overwrite");
+  }
+  if (std::filesystem::is_directory(file_)) throw std::runtime_error("--video " + file_.string() + ": is a folder");
+  if (file_.has_parent_path()) make_folder(file_.parent_path());
+  start(format);
+}
+
+Video::~Video() {
+  if (process_ > 0) wait_for_end();
+}
+
+void Video::start(const VideoFormat& format) {
+  // A socket rather than a pipe: writing to one whose reader has gone can give an error instead of a signal.
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::runtime_error(std::string("cannot start ffmpeg: ") + std::strerror(errno));
+  }
+  const int error = spawn(arguments(file_.string(), format), ends[1], process_);
+  ::close(ends[1]);
+  if (error == 0) {
+    socket_ = ends[0];
+    return;
+  }
+  ::close(ends[0]);
+  process_ = -1;
+  if (error != ENOENT) throw std::runtime_error(std::string("cannot start ffmpeg: ") + std::strerror(error));
+  throw std::runtime_error("--video " + file_.string() +
+                           ": ffmpeg is not installed (apt-get install ffmpeg). Or record without --video, and where "
+                           "there is ffmpeg, run\n  " +
+                           video_command("DIR/frames", file_, format.fps, format.every));
+}
+
+void Video::write(const render::Image& image) {
+  std::span<const std::uint8_t> bytes = image.rgba;
+  while (!bytes.empty()) {
+    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) throw WriteError("cannot write " + file_.string() + ": ffmpeg has stopped: " + std::strerror(errno));
+    bytes = bytes.subspan(static_cast<std::size_t>(sent));
+  }
+}
+
+void Video::finish() {
+  const int status = wait_for_end();
+  if (status == 0) return;
+  const bool exited = WIFEXITED(status);
+  throw WriteError(
+      "cannot write " + file_.string() + ": ffmpeg ended with " +
+      (exited ? "exit code " + std::to_string(WEXITSTATUS(status)) : "signal " + std::to_string(WTERMSIG(status))));
+}
+
+int Video::wait_for_end() {
+  ::close(socket_);
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return status;
+}
+
+}  // namespace app

@@ -1,0 +1,75 @@
+#include "app/run/outcome.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "app/base/exit_code.h"
+
+namespace app {
+namespace {
+
+// Where and why a step failed: "step 12 (t = 0.2 s), element 7: ...".
+std::string failure_text(const Simulation& simulation, const Outcome& outcome) {
+  if (outcome.failure.failure.empty()) return outcome.error;
+  const std::int64_t step = outcome.run.state.step + 1;
+  char where[80];
+  std::snprintf(where, sizeof where, "step %lld (t = %.6g s)", static_cast<long long>(step),
+                simulation.system->time(step));
+  std::string text = where;
+  if (outcome.failure.min_J_element >= 0) text += ", element " + std::to_string(outcome.failure.min_J_element);
+  return text + ": " + outcome.failure.failure;
+}
+
+// Probes that know what they should show: value, reference and error.
+void print_references(const Simulation& simulation, const Outcome& outcome) {
+  const Document& document = simulation.document;
+  for (std::size_t k = 0; k < document.references.size(); ++k) {
+    if (!document.references[k]) continue;
+    const Vec3 is = simulation.system->probe_displacement(outcome.run.state, static_cast<int>(k)),
+               should = *document.references[k];
+    for (int c = 0; c < simulation.system->dimension(); ++c) {
+      if (should[c] == 0) continue;
+      char line[160];
+      std::snprintf(line, sizeof line, "%s.u%c = %.6g m, reference %.6g m, error %.3g %%\n",
+                    document.scene.probes[k].name.c_str(), "xyz"[c], is[c], should[c], 100 * (is[c] / should[c] - 1));
+      std::cout << line;
+    }
+  }
+}
+
+// What did not go smoothly, though the run went on.
+void print_trouble(const Outcome& outcome) {
+  const Totals& totals = outcome.run.totals;
+  const std::int64_t steps = outcome.run.state.step;
+  if (totals.not_converged > 0) {
+    std::cerr << "note: " << totals.not_converged << " of " << steps << " steps did not converge";
+    if (!outcome.not_converged_reason.empty()) std::cerr << " (" << outcome.not_converged_reason << ')';
+    std::cerr << '\n';
+  }
+  if (totals.splits > 0)
+    std::cerr << "note: steps, or parts of them, were taken again in halves " << totals.splits << " times\n";
+  if (outcome.inverted > 0) std::cerr << "note: " << outcome.inverted << " elements are inside out at the end\n";
+  if (outcome.no_factor)
+    std::cerr << "note: there was no memory for the matrix's factor: solved by conjugate gradients without a matrix\n";
+}
+
+}  // namespace
+
+int conclude(const Simulation& simulation, const Options& options, const RunFolder& folder, const Outcome& outcome) {
+  if (!options.quiet) print_trouble(outcome);
+  if (outcome.status == Status::done) {
+    print_references(simulation, outcome);
+    return kDone;
+  }
+  const std::string saved = folder.state().string();
+  if (outcome.status == Status::interrupted) {
+    std::cerr << "ritz: interrupted after step " << outcome.run.state.step << " of " << simulation.last_step()
+              << "; go on with --resume " << folder.path().string() << '\n';
+    return kInterrupted;
+  }
+  std::cerr << "ritz: " << failure_text(simulation, outcome) << "\n      the last good state is saved in " << saved
+            << '\n';
+  return kNumericalFailure;
+}
+
+}  // namespace app

@@ -1,0 +1,34 @@
+// The numbers of a run, as it goes: probes.csv, steps.csv and VTU files.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/run/csv.h"
+#include "app/run/run_folder.h"
+#include "sim/report.h"
+#include "sim/system.h"
+
+namespace app {
+
+// All calls throw WriteError.
+class RunLog {
+ public:
+  // From the start, or going on after `resumed_step`: rows of later steps are then cut off.
+  RunLog(const sim::System& system, const std::vector<sim::Probe>& probes, const RunFolder& folder,
+         std::optional<std::int64_t> resumed_step);
+
+  // The initial state: a row of probes, none of steps.
+  void start(const sim::State& state);
+  void step(const sim::State& state, const sim::StepReport& report);
+  // What is in the files survives from now on.
+  void sync();
+  void close();
+
+ private:
+  const sim::System& system_;
+  int probe_count_;
+  Csv probes_, steps_;
+};
+
+}  // namespace app

@@ -1,0 +1,109 @@
+#include "app/scene/body_mesh.h"
+
+#include <cmath>
+#include <tuple>
+
+#include "app/mesh/mesh_file.h"
+#include "sim/element/element.h"
+#include "sim/mesh/check.h"
+#include "sim/mesh/generate.h"
+#include "sim/mesh/input_error.h"
+#include "sim/mesh/quadratic.h"
+#include "sim/mesh/refine.h"
+#include "sim/mesh/transform.h"
+
+namespace app {
+namespace {
+
+using sim::ElementKind;
+using sim::InputError;
+
+// A larger mesh is taken for a slip of the pen: its matrix alone would fill 20 GB.
+constexpr double kMostElements = 2e7;
+
+void check_count(double elements, const std::string& key) {
+  if (elements > kMostElements) throw InputError(key, "makes more than 2e7 elements");
+}
+
+void check_axes(const MeshSpec& spec) {
+  const std::size_t count = axes(spec.source);
+  const std::string right = "must have " + std::to_string(count) + " numbers, one per axis";
+  if (spec.cells.empty()) throw InputError("mesh", "'cells' is missing: the number of cells per axis");
+  if (spec.cells.size() != count) throw InputError("mesh.cells", right);
+  if (spec.grading.size() != count) throw InputError("mesh.grading", right);
+  double cells = 1;
+  for (const int n : spec.cells) cells *= n;
+  check_count(cells, "mesh.cells");
+}
+
+sim::Mesh generate(const MeshSpec& spec) {
+  const ElementKind kind = sim::find_element(spec.element)->kind;
+  const auto& [x, n, g] = std::tie(spec.lengths, spec.cells, spec.grading);
+  switch (spec.source) {
+    case MeshSource::box:
+      return sim::generate_box({x[0], x[1], x[2]}, {n[0], n[1], n[2]}, {g[0], g[1], g[2]}, kind);
+    case MeshSource::rectangle:
+      return sim::generate_rectangle({x[0], x[1]}, {n[0], n[1]}, {g[0], g[1]}, kind);
+    default:
+      return sim::generate_sheet({x[0], x[1]}, {n[0], n[1]}, {g[0], g[1]}, kind);
+  }
+}
+
+// The element that was asked for, when it is the quadratic kind of what the file holds.
+sim::Mesh as_asked(sim::Mesh mesh, const MeshSpec& spec) {
+  const ElementKind asked = spec.element.empty() ? mesh.kind : sim::find_element(spec.element)->kind;
+  const std::string held(sim::info(mesh.kind).name);
+  if ((mesh.kind == ElementKind::tri3 && asked == ElementKind::tri6) ||
+      (mesh.kind == ElementKind::tet4 && asked == ElementKind::tet10)) {
+    mesh = sim::to_quadratic(mesh);
+  }
+  if (mesh.kind != asked) throw InputError("mesh.element", "the file holds " + held + " elements");
+  return mesh;
+}
+
+void add_remark(std::vector<std::string>& remarks, int count, const std::string& what) {
+  if (count > 0) remarks.push_back(std::to_string(count) + " " + what);
+}
+
+}  // namespace
+
+int axes(MeshSource source) {
+  return source == MeshSource::box ? 3 : 2;
+}
+
+sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
+  sim::Mesh mesh;
+  if (spec.source == MeshSource::file) {
+    if (!spec.cells.empty()) throw InputError("mesh.cells", "is for generated meshes only");
+    if (!spec.grading.empty()) throw InputError("mesh.grading", "is for generated meshes only");
+    mesh = as_asked(read_mesh(spec.file, remarks), spec);
+  } else {
+    if (spec.element.empty()) spec.element = spec.source == MeshSource::box ? "tet4" : "tri3";
+    if (spec.grading.empty()) spec.grading.assign(axes(spec.source), 1.0);
+    check_axes(spec);
+    mesh = generate(spec);
+  }
+  spec.element = sim::info(mesh.kind).name;
+
+  const sim::MeshCheck check = sim::check_and_orient(mesh);
+  add_remark(remarks, check.reoriented, "elements were inside out and have been turned");
+  add_remark(remarks, check.dropped_nodes, "nodes of no element have been dropped");
+  add_remark(remarks, check.dropped_facets, "facets of groups lie on no element and have been dropped");
+  const double children = sim::info(mesh.kind).dimension == 2 ? 4 : 8;
+  check_count(mesh.element_count() * std::pow(children, spec.refine), "mesh.refine");
+  for (int i = 0; i < spec.refine; ++i) mesh = sim::refine(mesh);
+  return mesh;
+}
+
+void place_mesh(const MeshSpec& spec, int dimension, sim::Mesh& mesh) {
+  if (mesh.dimension() < dimension) {
+    if (mesh.kind == ElementKind::quad4) throw InputError("mesh.element", "quad4 is for 2D scenes only");
+    mesh.X.conservativeResize(3, Eigen::NoChange);
+    mesh.X.row(2).setZero();
+  }
+  if (spec.scale != 1) sim::scale(mesh, sim::Vec3::Constant(spec.scale));
+  if (spec.degrees != 0) sim::rotate(mesh, spec.axis, spec.degrees);
+  sim::translate(mesh, spec.translate);
+}
+
+}  // namespace app

@@ -1,0 +1,27 @@
+// A scene file, read: what is simulated, how it is seen, and where each key stands.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/body_mesh.h"
+#include "app/scene/look.h"
+#include "app/scene/scene_error.h"
+#include "sim/scene.h"
+
+namespace app {
+
+struct Document {
+  std::string title;
+  sim::Scene scene;
+  std::vector<MeshSpec> meshes;                 // body by body: the description that scene.bodies[i].mesh was made from
+  std::vector<std::optional<Vec3>> references;  // probe by probe: the displacement it should have at the end [m]
+  Camera camera;
+  Look look;
+  std::vector<std::string> remarks;  // what the user should know: step chosen, elements mended
+  Places places;                     // of every key that was given
+};
+
+}  // namespace app

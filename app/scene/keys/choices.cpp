@@ -1,0 +1,72 @@
+#include "app/scene/keys/choices.h"
+
+#include "render/colour_map.h"
+#include "sim/body/start.h"
+#include "sim/element/list.h"
+#include "sim/material/list.h"
+#include "sim/time/scheme.h"
+
+namespace app {
+namespace {
+
+// The name of every type of a list.
+template <class... T>
+std::vector<std::string_view> names(sim::TypeList<T...>) {
+  return {T::name...};
+}
+
+}  // namespace
+
+std::vector<std::string_view> integrator_names() {
+  std::vector<std::string_view> all;
+  for (const sim::Scheme& scheme : sim::schemes()) all.push_back(scheme.name);
+  return all;
+}
+
+std::vector<std::string_view> linear_solver_names() {
+  return {"cholmod", "pcg", "pcg-assembled", "auto"};
+}
+
+std::vector<std::string_view> definiteness_names() {
+  return {"clamp", "abs", "none"};
+}
+
+std::vector<std::string_view> on_failure_names() {
+  return {"split", "accept", "stop"};
+}
+
+std::vector<std::string_view> start_names() {
+  std::vector<std::string_view> all;
+  for (const sim::StartShape& shape : sim::start_shapes()) all.push_back(shape.name);
+  return all;
+}
+
+std::vector<std::string_view> material_names() {
+  return names(sim::Materials{});
+}
+
+std::vector<std::string_view> element_names() {
+  return names(sim::Elements{});
+}
+
+std::vector<std::string_view> mass_names() {
+  return {"lumped", "consistent"};
+}
+
+std::vector<std::string_view> colour_names() {
+  return {"plain", "stress", "stretch", "energy", "J"};
+}
+
+std::vector<std::string_view> colour_map_choices() {
+  return render::colour_map_names();
+}
+
+std::vector<std::string_view> background_names() {
+  return {"studio", "paper"};
+}
+
+std::vector<std::string_view> finish_names() {
+  return {"rubber", "jelly"};
+}
+
+}  // namespace app

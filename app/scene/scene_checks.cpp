@@ -1,0 +1,179 @@
+#include "app/scene/scene_checks.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+
+#include "app/scene/caption_names.h"
+#include "sim/mesh/input_error.h"
+#include "sim/mesh/locate.h"
+
+namespace app {
+namespace {
+
+using sim::InputError;
+
+std::string key_path(std::string_view table, std::string_view name) {
+  return table.empty() ? std::string(name) : std::string(table) + "." + std::string(name);
+}
+
+bool given(const Places& places, const std::string& path, const Key& key) {
+  return places.contains(key.kind == Kind::list ? path + ".0" : path);
+}
+
+// `table` is the path of a table that is present, `pattern` its pattern.
+void check_required(std::string_view table, std::string_view pattern, const Places& places) {
+  for (const Key& key : keys()) {
+    const std::string path = key_path(table, last_name(key.path));
+    if (!key.required || parent(key.path) != pattern || given(places, path, key)) continue;
+    throw InputError(std::string(table),
+                     "'" + std::string(last_name(key.path)) + "' is missing: " + std::string(key.meaning));
+  }
+}
+
+void check_alternatives(const Item& item, const Places& places) {
+  for (const Alternatives& group : alternatives()) {
+    if (item.key->path != group.table) continue;
+    std::string names;
+    int count = 0;
+    for (const std::string_view name : group.names) {
+      names.append(names.empty() ? "" : ", ").append(name);
+      if (places.contains(key_path(item.path, name))) ++count;
+    }
+    if (count > 1 || (count == 0 && group.required)) {
+      throw InputError(item.path, (group.required ? "must have exactly one of " : "can have only one of ") + names);
+    }
+  }
+}
+
+// Entries of a list are numbered without a gap.
+void check_position(const Item& item, const Places& places) {
+  if (item.key->kind != Kind::list || std::get<std::int64_t>(item.value) == 0) return;
+  const std::string before = key_path(parent(item.path), std::to_string(std::get<std::int64_t>(item.value) - 1));
+  if (!places.contains(before)) throw InputError(item.path, "there is no " + before + " that it could follow");
+}
+
+// `list` is the pattern of a list of names, as in "body[].name".
+template <class List>
+void check_unique(const List& list, const std::string& path) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!seen.insert(list[i].name).second) {
+      throw InputError(path + "." + std::to_string(i) + ".name", "is the name of another one already");
+    }
+  }
+}
+
+void check_group(const sim::Mesh& mesh, const std::string& name, const std::string& path) {
+  try {
+    sim::find_group(mesh, name);
+  } catch (const InputError& error) {
+    throw InputError(path, error.what());
+  }
+}
+
+void check_region(const sim::Mesh& mesh, const sim::Region& region, const std::string& path) {
+  if (const auto* group = std::get_if<sim::InGroup>(&region)) check_group(mesh, group->name, path + ".group");
+}
+
+// `path` is the list of keyframes.
+template <class List>
+void check_times(const List& keyframes, const std::string& path) {
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    if (keyframes[i].t <= keyframes[i - 1].t) {
+      throw InputError(path + "." + std::to_string(i) + ".0", "must be later than the pose before it");
+    }
+  }
+}
+
+void check_body(const sim::Body& body, const std::string& path) {
+  for (std::size_t i = 0; i < body.pins.size(); ++i) {
+    const std::string pin = path + ".pin." + std::to_string(i);
+    check_region(body.mesh, body.pins[i].where, pin);
+    check_times(body.pins[i].motion, pin + ".motion.keyframes");
+  }
+  for (std::size_t i = 0; i < body.tractions.size(); ++i) {
+    check_region(body.mesh, body.tractions[i].where, path + ".traction." + std::to_string(i));
+  }
+  for (std::size_t i = 1; i < body.materials.size(); ++i) {
+    check_group(body.mesh, body.materials[i].group, path + ".region." + std::to_string(i - 1) + ".group");
+  }
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void check_body_name(const sim::Scene& scene, const std::string& name, const std::string& path) {
+  if (std::ranges::find(scene.bodies, name, &sim::Body::name) != scene.bodies.end()) return;
+  std::vector<std::string> names;
+  for (const sim::Body& body : scene.bodies) names.push_back(body.name);
+  throw InputError(path, "there is no such body; there are: " + listed(names));
+}
+
+void check_picture(const Document& document) {
+  const Camera& camera = document.camera;
+  if (camera.eye && camera.target) {
+    const Vec3 view = *camera.target - *camera.eye;
+    if (view.norm() == 0) throw InputError("camera.target", "must differ from camera.eye");
+    if (view.normalized().cross(camera.up).norm() < 1e-6) {
+      throw InputError("camera.up", "must not lie along the line from camera.eye to camera.target");
+    }
+  }
+  if (!camera.follow.empty()) check_body_name(document.scene, camera.follow, "camera.follow");
+  check_times(camera.keyframes, "camera.keyframes");
+  for (const std::string& name : caption_names(document.look.caption)) {
+    if (find_caption_value(name)) continue;
+    throw InputError("look.caption", "{" + name + "} is not known; known are " + listed(known_caption_names()));
+  }
+  if (document.look.range && (*document.look.range)[0] >= (*document.look.range)[1]) {
+    throw InputError("look.range", "must be [low, high] with low < high");
+  }
+}
+
+}  // namespace
+
+void check_presence(const std::vector<Item>& items, const Places& places) {
+  check_required("", "", places);
+  for (const Item& item : items) {
+    if (item.key->kind != Kind::table && item.key->kind != Kind::list) continue;
+    check_position(item, places);
+    check_required(item.path, item.key->path, places);
+    check_alternatives(item, places);
+  }
+}
+
+void check_dimension(const std::vector<Item>& items, int dimension) {
+  const std::string numbers = std::to_string(dimension) + " numbers";
+  const std::string scene = dimension == 2 ? "the scene is 2D, as all its meshes are" : "the scene is 3D";
+  for (const Item& item : items) {
+    if (item.key->dimension != 0 && item.key->dimension != dimension) {
+      throw InputError(item.path, "is for " + std::to_string(item.key->dimension) + "D only, and " + scene);
+    }
+    if (item.dimension != 0 && item.dimension != dimension) {
+      throw InputError(item.path, (item.key->kind == Kind::point || item.key->kind == Kind::direction
+                                       ? "must have " + numbers
+                                       : "must have points of " + numbers) +
+                                      ": " + scene);
+    }
+    if (item.key->kind == Kind::axis && dimension == 2) {
+      const auto& axis = std::get<std::vector<double>>(item.value);
+      if (axis[0] != 0 || axis[1] != 0) throw InputError(item.path, "must be along [0, 0, 1]: " + scene);
+    }
+  }
+}
+
+void check_consistency(const Document& document) {
+  const sim::Scene& scene = document.scene;
+  check_unique(scene.bodies, "body");
+  check_unique(scene.probes, "probe");
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_body(scene.bodies[i], "body." + std::to_string(i));
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body");
+  }
+  check_picture(document);
+}
+
+}  // namespace app

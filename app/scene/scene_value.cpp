@@ -1,0 +1,197 @@
+#include "app/scene/scene_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/scene/value_text.h"
+
+namespace app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& right) {
+  throw std::invalid_argument("must be " + right);
+}
+
+double number(const toml::node& node, const Key& key) {
+  if (!node.is_number()) refuse(kind_text(key));
+  const double x = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+  if (!std::isfinite(x)) refuse("finite");
+  if (!key.range.contains(x)) refuse(key.range.text());
+  return x;
+}
+
+std::int64_t integer(const toml::node& node, const Key& key) {
+  if (!node.is_integer()) refuse(kind_text(key));
+  number(node, key);
+  return *node.value<std::int64_t>();
+}
+
+std::string text(const toml::node& node, const Key& key) {
+  if (!node.is_string()) refuse(kind_text(key));
+  return *node.value<std::string>();
+}
+
+std::string name(const toml::node& node, const Key& key) {
+  const std::string given = text(node, key);
+  const auto bad = [](unsigned char c) { return c == ',' || c == '"' || c < 0x20 || c == 0x7F; };
+  if (given.empty() || std::ranges::any_of(given, bad)) refuse(kind_text(key));
+  return given;
+}
+
+std::string choice(const toml::node& node, const Key& key) {
+  const std::string given = text(node, key);
+  const std::vector<std::string_view> choices = key.choices();
+  if (std::ranges::find(choices, given) == choices.end()) refuse(kind_text(key));
+  return given;
+}
+
+std::string axes(const toml::node& node, const Key& key) {
+  const std::string given = text(node, key);
+  for (const char c : given) {
+    if (std::string_view("xyz").find(c) == std::string_view::npos || std::ranges::count(given, c) > 1) {
+      refuse(kind_text(key));
+    }
+  }
+  if (given.empty()) refuse(kind_text(key));
+  return given;
+}
+
+// The entries of an array of least <= length <= most.
+const toml::array& entries(const toml::node& node, const Key& key, std::size_t least, std::size_t most) {
+  const toml::array* array = node.as_array();
+  if (!array || array->size() < least || array->size() > most) refuse(kind_text(key));
+  return *array;
+}
+
+std::vector<double> numbers(const toml::node& node, const Key& key, int least, int most) {
+  std::vector<double> list;
+  for (const toml::node& entry : entries(node, key, least, most)) {
+    if (key.kind == Kind::integers && !entry.is_integer()) refuse(kind_text(key));
+    list.push_back(number(entry, key));
+  }
+  return list;
+}
+
+// Two or three numbers; three are returned. `dimension` is how many there were, which must agree if it is known.
+std::vector<double> point(const toml::node& node, const Key& key, int& dimension) {
+  std::vector<double> x = numbers(node, key, 2, 3);
+  const int size = static_cast<int>(x.size());
+  if (dimension != 0 && size != dimension) refuse("points of the same number of coordinates");
+  dimension = size;
+  x.resize(3, 0.0);
+  return x;
+}
+
+// The unit vector; one that is unit but for round-off is kept, bit by bit.
+std::vector<double> unit(std::vector<double> x) {
+  const double norm = std::hypot(x[0], x[1], x[2]);
+  if (norm == 0) refuse("different from zero");
+  if (std::abs(norm - 1) > 1e-15) {
+    for (double& component : x) component /= norm;
+  }
+  return x;
+}
+
+std::vector<double> box(const toml::node& node, const Key& key, int& dimension) {
+  const toml::array& corners = entries(node, key, 2, 2);
+  std::vector<double> low = point(corners[0], key, dimension);
+  const std::vector<double> high = point(corners[1], key, dimension);
+  for (int i = 0; i < 3; ++i) {
+    if (low[i] > high[i]) refuse("[low, high] with no coordinate of low above that of high");
+  }
+  low.insert(low.end(), high.begin(), high.end());
+  return low;
+}
+
+std::vector<double> ball(const toml::node& node, const Key& key, int& dimension) {
+  const toml::array& parts = entries(node, key, 2, 2);
+  std::vector<double> numbers = point(parts[0], key, dimension);
+  numbers.push_back(number(parts[1], key));
+  if (numbers.back() <= 0) refuse("[centre, radius] with a radius > 0");
+  return numbers;
+}
+
+}  // namespace
+
+std::string node_literal(const toml::node& node) {
+  if (const toml::value<double>* number = node.as_floating_point()) return number_literal(number->get());
+  if (const toml::value<std::string>* text = node.as_string()) return quoted_text(text->get());
+  if (const toml::value<bool>* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+  if (const toml::value<std::int64_t>* integer = node.as_integer()) return std::to_string(integer->get());
+  std::string text;
+  if (const toml::array* array = node.as_array()) {
+    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + node_literal(entry);
+    return "[" + text + "]";
+  }
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [name, entry] : *table) {
+      text.append(text.empty() ? " " : ", ").append(name.str()).append(" = ").append(node_literal(entry));
+    }
+    return "{" + text + " }";
+  }
+  return "a date or time";
+}
+
+ScannedValue scan_value(const Key& key, const toml::node& node) {
+  ScannedValue scan;
+  switch (key.kind) {
+    case Kind::boolean:
+      if (!node.is_boolean()) refuse(kind_text(key));
+      scan.value = *node.value<bool>();
+      break;
+    case Kind::integer:
+      scan.value = integer(node, key);
+      break;
+    case Kind::substeps:
+      scan.value = node.is_string() && text(node, key) == "auto" ? std::int64_t{0} : integer(node, key);
+      break;
+    case Kind::number:
+      scan.value = number(node, key);
+      break;
+    case Kind::text:
+      scan.value = text(node, key);
+      break;
+    case Kind::name:
+      scan.value = name(node, key);
+      break;
+    case Kind::choice:
+      scan.value = choice(node, key);
+      break;
+    case Kind::axes:
+      scan.value = axes(node, key);
+      break;
+    case Kind::integers:
+    case Kind::numbers:
+      scan.value = numbers(node, key, key.size[0], key.size[1]);
+      break;
+    case Kind::point:
+      scan.value = point(node, key, scan.dimension);
+      break;
+    case Kind::direction:
+      scan.value = unit(point(node, key, scan.dimension));
+      break;
+    case Kind::axis:
+      scan.value = unit(numbers(node, key, 3, 3));
+      break;
+    case Kind::box:
+      scan.value = box(node, key, scan.dimension);
+      break;
+    case Kind::ball:
+      scan.value = ball(node, key, scan.dimension);
+      break;
+    case Kind::table:
+    case Kind::list:
+      refuse(kind_text(key));
+  }
+  return scan;
+}
+
+std::string node_text(const toml::node& node) {
+  constexpr std::size_t longest = 60;
+  std::string text = node_literal(node);
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  return text;
+}
+
+}  // namespace app

@@ -1,0 +1,42 @@
+#include "app/scene/simulation.h"
+
+#include <cmath>
+
+#include "app/base/stopwatch.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_identity.h"
+#include "sim/mesh/input_error.h"
+
+namespace app {
+
+std::int64_t Simulation::last_frame() const {
+  const sim::Time& time = document.scene.time;
+  return std::llround(time.seconds * time.fps);
+}
+
+std::vector<std::string> Simulation::remarks() const {
+  std::vector<std::string> all = document.remarks;
+  const std::vector<std::string> of_system = system->remarks();
+  all.insert(all.end(), of_system.begin(), of_system.end());
+  return all;
+}
+
+std::shared_ptr<const sim::System> build_system(const Document& document, int threads) {
+  try {
+    return std::make_shared<const sim::System>(document.scene, threads);
+  } catch (const sim::InputError& error) {
+    throw located(error, document.places);
+  }
+}
+
+Simulation build_simulation(const Options& options) {
+  const Stopwatch watch;
+  Simulation simulation;
+  simulation.document = load_scene(options.scene, options.settings, options.overrides);
+  simulation.system = build_system(simulation.document, options.threads);
+  simulation.identity = scene_identity(simulation.document);
+  simulation.build_seconds = watch.seconds();
+  return simulation;
+}
+
+}  // namespace app

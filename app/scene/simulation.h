@@ -1,0 +1,34 @@
+// A scene made ready to be stepped.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/options/options.h"
+#include "app/scene/document.h"
+#include "sim/stepper.h"
+#include "sim/system.h"
+
+namespace app {
+
+struct Simulation {
+  Document document;
+  std::shared_ptr<const sim::System> system;  // shared by simulations that differ in their looks only
+  std::uint64_t identity = 0;                 // of the scene
+  double build_seconds = 0;
+
+  std::int64_t last_frame() const;  // frames are 0, 1, ..., last_frame
+  // What the user should know before the first step.
+  std::vector<std::string> remarks() const;
+  std::int64_t last_step() const { return last_frame() * system->steps_per_frame(); }
+};
+
+// Reads the scene that the options name and builds its system. Throws SceneError.
+Simulation build_simulation(const Options& options);
+
+// The system of a document. Throws SceneError.
+std::shared_ptr<const sim::System> build_system(const Document& document, int threads);
+
+}  // namespace app

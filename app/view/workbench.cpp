@@ -1,0 +1,291 @@
+#include "app/view/workbench.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "app/base/output_file.h"
+#include "app/base/stopwatch.h"
+#include "app/picture/view.h"
+#include "app/scene/scene_text.h"
+#include "app/view/camera_moves.h"
+
+namespace app {
+namespace {
+
+using render::WindowEvent;
+
+constexpr double kStepping = 0.03;  // s of wall time between two pictures
+
+std::optional<Action> action_of(const WindowEvent& event) {
+  switch (event.key) {
+    case render::Key::space:
+      return Action::play;
+    case render::Key::right:
+      return Action::step;
+    case render::Key::left:
+      return Action::back;
+    case render::Key::backspace:
+      return Action::reset;
+    case render::Key::f1:
+      return Action::help;
+    case render::Key::tab:
+      return Action::hide_panel;
+    case render::Key::escape:
+      return std::nullopt;
+    case render::Key::letter:
+      break;
+  }
+  if (!event.control) return event.letter == 'W' ? std::optional(Action::wireframe) : std::nullopt;
+  if (event.letter == 'L') return Action::reload;
+  if (event.letter == 'S') return Action::save;
+  if (event.letter == 'P') return Action::screenshot;
+  if (event.letter == 'Q') return Action::quit;
+  return std::nullopt;
+}
+
+std::string failure_text(const sim::System& system, const sim::StepReport& report) {
+  char where[80];
+  std::snprintf(where, sizeof where, "Step %lld (t = %.6g s) cannot be taken", static_cast<long long>(report.step),
+                system.time(report.step));
+  std::string text = where;
+  if (report.min_J_element >= 0) text += ", element " + std::to_string(report.min_J_element);
+  return text + ": " + report.failure + ". The state is the last good one.";
+}
+
+}  // namespace
+
+Workbench::Workbench(Options options, std::unique_ptr<Session> session)
+    : options_(std::move(options)), session_(std::move(session)), frames_(*session_->simulation()) {
+  count_frame();
+  if (!options_.out.empty()) make_folder(options_.out);
+  if (options_.log.empty()) return;
+  if (std::filesystem::exists(options_.log) && !options_.overwrite) {
+    throw WriteError(options_.log.string() + ": exists already; choose another file for --log or give --overwrite");
+  }
+  log_ = std::make_unique<SessionLog>(options_, session_->document().scene.dimension);
+}
+
+void Workbench::handle(const WindowEvent& event, int width, int height, bool over_widgets) {
+  if (event.kind == WindowEvent::Kind::key) {
+    const bool command = event.control || event.key == render::Key::f1;
+    if (over_widgets && !command) return;
+    if (const std::optional<Action> action = action_of(event)) act(*action);
+    return;
+  }
+  const bool begins = event.kind == WindowEvent::Kind::press || event.kind == WindowEvent::Kind::scroll;
+  if (begins && over_widgets) return;
+  frame(width, height);
+  const std::optional<Input> input =
+      mouse_.handle(event, {frame_, *session_->simulation()->system, session_->state(), width, height});
+  if (!input) return;
+  if (const auto* pull = std::get_if<PullTo>(&*input)) {
+    pull_to_ = *pull;
+    return;
+  }
+  apply(*input);
+}
+
+void Workbench::act(Action action) {
+  const bool wireframe = session_->document().look.wireframe;
+  switch (action) {
+    case Action::play:
+      playing_ = !playing_;
+      return pace_.restart();
+    case Action::step:
+      playing_ = false;
+      step();
+      return;
+    case Action::back:
+      playing_ = false;
+      return apply(StepBack{});
+    case Action::reset:
+      mouse_.drop();
+      return apply(Reset{});
+    case Action::restart:
+      mouse_.drop();
+      return apply(Restart{});
+    case Action::reload:
+      return reload();
+    case Action::save:
+      return save();
+    case Action::screenshot:
+      screenshot_ = true;
+      return;
+    case Action::help:
+      help_ = !help_;
+      return;
+    case Action::hide_panel:
+      panel_shown_ = !panel_shown_;
+      return;
+    case Action::wireframe:
+      return apply(SetKey{"look.wireframe", wireframe ? "false" : "true"});
+    case Action::quit:
+      quits_ = true;
+      return;
+  }
+}
+
+bool Workbench::advance(double wall) {
+  if (!playing_) return false;
+  const double h = session_->simulation()->system->step_seconds();
+  pace_.pass(wall, h);
+  const Stopwatch watch;
+  bool stepped = false;
+  while (playing_ && pace_.due(h) && watch.seconds() < kStepping) {
+    stepped = true;
+    if (!step()) break;
+    pace_.stepped(h);
+  }
+  return stepped;
+}
+
+// False, and no longer playing, when the step cannot be taken.
+bool Workbench::step() {
+  if (pull_to_) apply(*std::exchange(pull_to_, std::nullopt));
+  const std::shared_ptr<const Simulation> simulation = session_->simulation();
+  const sim::StepReport report = session_->step();
+  if (!report.failure.empty()) {
+    playing_ = false;
+    message_ = failure_text(*simulation->system, report);
+    return false;
+  }
+  message_.clear();
+  report_ = report;
+  time_ += simulation->system->step_seconds();
+  monitor_.add(sample_of(time_, *session_->simulation()->system, session_->state(), report));
+  count_frame();
+  return true;
+}
+
+// What a frame shows of those before it is told at the frames' own times, as in a recording.
+void Workbench::count_frame() {
+  const Simulation& simulation = *session_->simulation();
+  frames_.follow(simulation);
+  if (session_->state().step % simulation.system->steps_per_frame() == 0) frames_.add(session_->state(), largest_);
+}
+
+void Workbench::apply(const Input& input) {
+  const Event event{session_->steps(), input};
+  if (!std::holds_alternative<PullTo>(input)) pull_to_.reset();
+  try {
+    session_->apply(input);
+  } catch (const std::runtime_error& refused) {
+    message_ = refused.what();
+    return;
+  }
+  message_.clear();
+  frames_.follow(*session_->simulation());
+  if (log_) log_->write(event);
+  const auto* move = std::get_if<MoveCamera>(&input);
+  if (move == nullptr) return;
+  // The picture itself stays as it is.
+  camera_ = frame_.camera = moved(frame_.camera, *move);
+  shown_ = session_->simulation();
+}
+
+// A new session, with a new log.
+void Workbench::reload() {
+  std::unique_ptr<Session> session;
+  try {
+    session = std::make_unique<Session>(options_);
+  } catch (const std::runtime_error& error) {
+    message_ = error.what();
+    return;
+  }
+  message_ = "Read again: " + options_.scene.string();
+  if (log_) {
+    // What was logged stays; the file as it is now begins a session of its own.
+    finish();
+    options_.log = free_name(options_.log.parent_path() / options_.log.stem(), options_.log.extension().string());
+    log_ = std::make_unique<SessionLog>(options_, session->document().scene.dimension);
+    message_ += "; the log goes on in " + options_.log.string();
+  }
+  session_ = std::move(session);
+  monitor_.clear();
+  mouse_.drop();
+  pull_to_.reset();
+  time_ = 0;
+  largest_ = {};
+  frames_ = FrameHistory(*session_->simulation());
+  count_frame();
+}
+
+void Workbench::save() {
+  const std::filesystem::path file = free_name(options_.out / options_.scene.stem(), ".toml");
+  try {
+    write_atomically(file, scene_toml(session_->document(), options_.out), true);
+    message_ = "Saved: " + file.string();
+  } catch (const WriteError& error) {
+    message_ = error.what();
+  }
+}
+
+std::filesystem::path Workbench::free_name(const std::filesystem::path& start, const std::string& end) {
+  for (int k = 1;; ++k) {
+    std::filesystem::path name = start.string() + "-" + std::to_string(k) + end;
+    if (!std::filesystem::exists(name)) return name;
+  }
+}
+
+std::optional<std::filesystem::path> Workbench::take_screenshot() {
+  if (!std::exchange(screenshot_, false)) return std::nullopt;
+  std::filesystem::path file = free_name(options_.out / options_.scene.stem(), ".png");
+  message_ = "Screenshot: " + file.string();
+  return file;
+}
+
+void Workbench::refresh_picture(double aspect) {
+  const std::shared_ptr<const Simulation> simulation = session_->simulation();
+  if (sight_ && shown_ == simulation && aspect == aspect_) return;
+  Picture picture(*simulation->system, simulation->document, aspect);
+  sight_ = std::make_unique<const Sight>(Sight{simulation, std::move(picture), {}});
+  shown_ = simulation;
+  aspect_ = aspect;
+  camera_.reset();
+}
+
+const render::Frame& Workbench::frame(int width, int height) {
+  refresh_picture(static_cast<double>(width) / height);
+  const sim::System& system = *session_->simulation()->system;
+  const sim::State& state = session_->state();
+  Moment moment{.frame = state.step / system.steps_per_frame(),
+                .newton = report_.newton,
+                .state = state,
+                .min_J = report_.min_J,
+                .report = report_};
+  frames_.fill(largest_, moment);
+  frame_ = sight_->picture.frame(moment);
+  if (camera_) frame_.camera = *camera_;
+  const auto& grip = mouse_.grip();
+  if (grip && session_->pull()) {
+    const sim::Vec3 target = pull_to_ ? pull_to_->target : session_->pull()->target;
+    const sim::Vec3 now = place_of(system, state, grip->picked.body, grip->picked.node);
+    frame_.arrows.push_back({to_point(now), to_point(target)});
+  }
+  return frame_;
+}
+
+void Workbench::draw_panel(int width, int height) {
+  if (help_) draw_help(width, height);
+  if (!panel_shown_) return;
+  const std::shared_ptr<const Simulation> simulation = session_->simulation();
+  const std::int64_t step = session_->state().step;
+  const PanelState state{session_->document(),
+                         *simulation->system,
+                         session_->waiting(),
+                         monitor_.samples(),
+                         simulation->system->time(step),
+                         step,
+                         playing_,
+                         pace_.factor(),
+                         message_};
+  const PanelRequests requests = panel_.draw(state, panel_width(width, height), height);
+  for (const SetKey& change : requests.changes) apply(change);
+  for (const Action action : requests.actions) act(action);
+}
+
+void Workbench::finish() {
+  if (log_) log_->end(session_->steps(), session_->state());
+}
+
+}  // namespace app

@@ -1,0 +1,274 @@
+#include "sim/build/build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/body/start.h"
+#include "sim/build/warnings.h"
+#include "sim/element/element.h"
+#include "sim/mesh/boundary.h"
+#include "sim/mesh/input_error.h"
+#include "sim/mesh/order.h"
+#include "sim/solve/linear_solver.h"
+#include "sim/solve/newton.h"
+#include "sim/term/damping.h"
+#include "sim/term/gravity.h"
+#include "sim/term/obstacle.h"
+#include "sim/term/spring.h"
+#include "sim/term/traction.h"
+#include "sim/term/untangle.h"
+#include "sim/time/implicit.h"
+#include "sim/time/stable_step.h"
+
+namespace sim {
+
+namespace {
+
+std::string key_of(const char* list, std::size_t k) {
+  return std::string(list) + "." + std::to_string(k);
+}
+
+// Calls f; errors that name a key below `prefix` then name the whole path.
+template <class F>
+auto below(const std::string& prefix, const F& f) {
+  try {
+    return f();
+  } catch (const InputError& error) {
+    throw InputError(prefix + "." + error.key, error.what());
+  }
+}
+
+// Which material each element has: 0 is the body's own, later ones override groups.
+std::vector<int> material_of_elements(const Body& body, std::size_t number) {
+  std::vector<int> of(body.mesh.element_count(), 0);
+  for (std::size_t m = 1; m < body.materials.size(); ++m) {
+    const std::string key = key_of("body", number) + "." + key_of("region", m - 1);
+    const Group group = below(key, [&] { return find_group(body.mesh, body.materials[m].group); });
+    if (group.elements.empty()) throw InputError(key + ".group", "group \"" + group.name + "\" has no elements");
+    for (const int e : group.elements) of[e] = static_cast<int>(m);
+  }
+  return of;
+}
+
+BodyRange range_of(const Body& body, const BodyRange* last) {
+  BodyRange range{body.name, 0, body.mesh.node_count(), 0, body.mesh.element_count(), 0, nullptr};
+  if (last) {
+    range.first_node = last->first_node + last->node_count;
+    range.first_element = last->first_element + last->element_count;
+  }
+  range.size = (body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff()).maxCoeff();
+  return range;
+}
+
+void add_body(Model& model, std::size_t b) {
+  const Body& body = model.bodies[b];
+  const BodyRange& range = model.ranges[b];
+  const std::vector<int> material = material_of_elements(body, b);
+  std::vector<double> density(material.size());
+  for (std::size_t e = 0; e < material.size(); ++e) density[e] = body.materials[material[e]].density;
+  below(key_of("body", b), [&] { model.masses.emplace_back(body, density, range.first_node); });
+  const std::vector<int> order = spatial_order(body.mesh);
+  for (std::size_t m = 0; m < body.materials.size(); ++m) {
+    ElasticInput input{body, body.materials[m], {}, range.first_node, model.node_count};
+    for (const int e : order)
+      if (material[e] == static_cast<int>(m)) input.elements.push_back(e);
+    if (input.elements.empty()) continue;
+    auto term = below(key_of("body", b), [&] { return make_elastic(input, model.D); });
+    model.elastic.push_back({term.get(), model.terms.size(), static_cast<int>(b)});
+    model.energy_scale += body.materials[m].young * term->volume();
+    model.terms.push_back(std::move(term));
+  }
+  for (std::size_t k = 0; k < body.pins.size(); ++k) {
+    const std::string key = key_of("body", b) + "." + key_of("pin", k);
+    std::vector<int> nodes = below(key, [&] { return nodes_in(body.mesh, body.pins[k].where); });
+    if (nodes.empty()) throw InputError(key, "no node of \"" + body.name + "\" is in this region");
+    for (int& node : nodes) node += range.first_node;
+    model.pins.add(body.pins[k], nodes, model.X, model.D);
+  }
+}
+
+void place_nodes(Model& model) {
+  for (const Body& body : model.bodies)
+    model.ranges.push_back(range_of(body, model.ranges.empty() ? nullptr : &model.ranges.back()));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) model.ranges[b].mesh = &model.bodies[b].mesh;
+  model.node_count = model.ranges.empty() ? 0 : model.ranges.back().first_node + model.ranges.back().node_count;
+  model.X = Eigen::VectorXd::Zero(model.dofs());
+  model.node_size.resize(model.node_count);
+  for (const BodyRange& range : model.ranges) {
+    model.node_size.segment(range.first_node, range.node_count).setConstant(range.size);
+    for (int i = 0; i < range.node_count; ++i)
+      model.X.segment(static_cast<Eigen::Index>(range.first_node + i) * model.D, range.mesh->dimension()) =
+          range.mesh->X.col(i);
+  }
+  model.bound = 1e12 * model.X.cwiseAbs().maxCoeff();
+}
+
+// Where the bodies start; each has random numbers of its own.
+void place_start(Model& model, std::uint64_t seed) {
+  model.x_start = model.X;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Start& start = model.bodies[b].start;
+    if (start.shape == "rest" && !start.perturbation) continue;
+    const Eigen::MatrixXd x = below(key_of("body", b), [&] {
+      return start_positions(model.bodies[b].mesh, start, model.D, seed + b * 0x9e3779b97f4a7c15);
+    });
+    model.x_start.segment(static_cast<Eigen::Index>(model.ranges[b].first_node) * model.D, x.size()) = x.reshaped();
+  }
+}
+
+// A material whose energy is infinite where J <= 0 cannot start there.
+void check_start(const Model& model) {
+  if (model.x_start == model.X) return;
+  Eigen::VectorXd x = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
+  model.pins.prescribe(0, x, v);
+  for (const auto& [term, number, body] : model.elastic) {
+    const auto store = term->make_store(1);
+    if (std::isfinite(term->energy({x, v, 0, 0}, *store))) continue;
+    const ElasticTerm::SmallestJ least = term->smallest_J(x, *store);
+    const std::string what = term->info().what;
+    throw InputError(key_of("body", body) + ".start",
+                     "inverts " + std::to_string(least.inverted) + " elements (element " +
+                         std::to_string(least.element) + " has J = " + std::to_string(least.J) +
+                         "), where the energy of " + what.substr(0, what.find(',')) +
+                         " is infinite: start elsewhere, or take stable-neo-hookean or fixed-corotated");
+  }
+}
+
+void add_loads(Model& model, std::size_t b) {
+  const Body& body = model.bodies[b];
+  for (std::size_t k = 0; k < body.tractions.size(); ++k) {
+    const std::string key = key_of("body", b) + "." + key_of("traction", k);
+    const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.tractions[k].where); });
+    if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
+    model.terms.push_back(
+        std::make_unique<TractionLoad>(body, body.tractions[k], facets, model.ranges[b].first_node, model.X, model.D));
+  }
+  if (body.untangle > 0)
+    model.terms.push_back(std::make_unique<UntangleTerm>(body, material_of_elements(body, b),
+                                                         model.ranges[b].first_node, model.X, model.pins, model.D));
+  if (body.damping.alpha == 0 && body.damping.beta == 0) return;
+  std::vector<const ElasticTerm*> own;
+  for (const ElasticPart& part : model.elastic)
+    if (part.body == static_cast<int>(b)) own.push_back(part.term);
+  model.terms.push_back(std::make_unique<RayleighDamping>(body, model.masses[b], std::move(own), model.D));
+}
+
+// Barriers begin at a thousandth of the smallest body, friction is fully grown at a thousandth of it a second.
+// kappa_i = E A_i/size: the stiffness of a column of the body under the node's share A_i of the surface.
+void add_obstacles(Model& model, const std::vector<Obstacle>& obstacles) {
+  if (obstacles.empty()) return;
+  constexpr double thousandth = 1e-3;
+  std::vector<ObstacleTerm::Contact> contacts;
+  double size = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Eigen::MatrixXi facets = surface_facets(model.bodies[b].mesh);
+    std::vector<int> nodes(facets.data(), facets.data() + facets.size());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const double L = model.ranges[b].size, area = L * L / static_cast<double>(nodes.size());
+    for (const int node : nodes)
+      contacts.push_back({model.ranges[b].first_node + node, model.bodies[b].materials[0].young * area / L});
+    size = std::min(size, L);
+  }
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    auto term = std::make_unique<ObstacleTerm>(obstacles[k], contacts, thousandth * size, thousandth * size, model.D);
+    for (const ObstacleTerm::Contact& contact : contacts) {
+      Vec3 x = Vec3::Zero(), normal;
+      x.head(model.D) = model.x_start.segment(static_cast<Eigen::Index>(contact.node) * model.D, model.D);
+      if (!(term->distance(x, normal) > 0))
+        throw InputError(key_of("obstacle", k), "a body starts inside this obstacle");
+    }
+    model.terms.push_back(std::move(term));
+  }
+}
+
+// The body and the material point that a key names.
+ProbePlace find_point(const Model& model, const std::string& key, const std::string& body, const Vec3& at) {
+  const auto range =
+      std::find_if(model.ranges.begin(), model.ranges.end(), [&](const BodyRange& r) { return r.name == body; });
+  if (range == model.ranges.end()) throw InputError(key + ".body", "\"" + body + "\" is not the name of a body");
+  const auto point = locate(*range->mesh, at);
+  if (!point) throw InputError(key + ".at", "the point is outside the body \"" + body + "\"");
+  return {range->first_node, range->mesh, *point};
+}
+
+void add_springs(Model& model, const std::vector<Spring>& springs) {
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    const ProbePlace place = find_point(model, key_of("spring", k), springs[k].body, springs[k].at);
+    std::vector<int> nodes;
+    for (std::size_t a = 0; a < place.point.weights.size(); ++a)
+      nodes.push_back(place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element));
+    model.terms.push_back(std::make_unique<SpringTerm>(springs[k], nodes, place.point.weights, model.D));
+  }
+}
+
+// Explicit schemes with substeps = 0: what stability needs, with a margin for what stiffens while it moves.
+void settle_substeps(Parts& parts) {
+  constexpr double margin = 0.8;
+  Model& model = parts.model;
+  if (model.time.substeps > 0) return;
+  model.time.substeps = 1;
+  if (!parts.scheme->is_explicit()) return;
+  const double h = margin * stable_step(model);
+  model.time.substeps = std::max(1, static_cast<int>(std::ceil(1.0 / (model.time.fps * h))));
+  parts.remarks.push_back("explicit: " + std::to_string(model.time.substeps) + " steps a frame, as stability needs");
+}
+
+void form_pattern(Parts& parts) {
+  if (parts.scheme->is_explicit()) return;
+  Model& model = parts.model;
+  const bool by_itself = model.solver.linear == "auto";
+  const bool flat = std::all_of(model.ranges.begin(), model.ranges.end(),
+                                [](const BodyRange& body) { return info(body.mesh->kind).dimension == 2; });
+  model.solver.linear = settled_solver(model.solver.linear, model.dofs(), flat);
+  if (by_itself)
+    parts.remarks.push_back(model.solver.linear == "pcg" ? "solver: conjugate gradients without a matrix, for this size"
+                            : model.solver.linear == "cholmod"
+                                ? "solver: CHOLMOD, as all bodies are flat"
+                                : "solver: conjugate gradients on the matrix; CHOLMOD from "
+                                  "where they take too long");
+  if (!forms_matrix(model.solver.linear)) return;
+  Coupling coupling(model.node_count);
+  for (const Mass& mass : model.masses) mass.couple(coupling);
+  for (const auto& term : model.terms) term->couple(coupling);
+  model.pattern = coupling.pattern();
+  for (Mass& mass : model.masses) mass.bind(*model.pattern);
+  for (const auto& term : model.terms) term->bind(*model.pattern);
+}
+
+}  // namespace
+
+std::unique_ptr<Parts> build(const Scene& scene, int threads) {
+  auto parts = std::make_unique<Parts>();
+  parts->scheme = find_scheme(scene.time.integrator);
+  if (!parts->scheme) throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
+  definiteness(scene.solver.definiteness);
+  on_failure(scene.solver.on_failure);
+  Model& model = parts->model;
+  model.D = scene.dimension;
+  model.threads = threads;
+  model.time = scene.time;
+  model.solver = scene.solver;
+  model.bodies = scene.bodies;
+  // Nothing is divided by the mass of a static scene; its weight is that of the true integrals.
+  if (parts->scheme->is_static)
+    for (Body& body : model.bodies) body.mass = "consistent";
+  place_nodes(model);
+  place_start(model, scene.seed);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) add_body(model, b);
+  if (scene.world.gravity.head(model.D).norm() > 0)
+    model.terms.push_back(std::make_unique<Gravity>(scene.world.gravity, model.masses, model.X, model.D));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) add_loads(model, b);
+  add_obstacles(model, scene.obstacles);
+  add_springs(model, scene.springs);
+  for (std::size_t k = 0; k < scene.probes.size(); ++k)
+    parts->probes.push_back(find_point(model, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
+  check_start(model);
+  warn(*parts);
+  settle_substeps(*parts);
+  form_pattern(*parts);
+  return parts;
+}
+
+}  // namespace sim

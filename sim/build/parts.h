@@ -1,0 +1,30 @@
+// All that a built system consists of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/mesh/locate.h"
+#include "sim/solve/model.h"
+#include "sim/time/scheme.h"
+
+namespace sim {
+
+class System;
+
+struct ProbePlace {
+  int first_node;  // of its body
+  const Mesh* mesh;
+  MaterialPoint point;
+};
+
+struct Parts {
+  Model model;
+  const Scheme* scheme = nullptr;
+  std::vector<ProbePlace> probes;
+  std::vector<std::string> remarks;
+};
+
+const Parts& parts_of(const System& system);
+
+}  // namespace sim

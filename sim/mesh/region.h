@@ -1,0 +1,23 @@
+// Where: nodes inside a box or a sphere at rest, or a group of the mesh.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "sim/math/vec3.h"
+
+namespace sim {
+
+struct Box {
+  Vec3 low, high;
+};
+struct Sphere {
+  Vec3 centre;
+  double radius = 0;
+};
+struct InGroup {
+  std::string name;
+};
+using Region = std::variant<Box, Sphere, InGroup>;
+
+}  // namespace sim

@@ -1,0 +1,107 @@
+// The walls of the house: which folder may include which. The order stands in README.md, under "The house".
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kTop = RITZ_SOURCE_DIR;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// The rooms of "app/" or "sim/" from bottom to top, as the map in README.md has them: "app/  base < options < ...".
+std::vector<std::string> rooms_of(const std::string& house) {
+  std::vector<std::string> rooms;
+  std::istringstream readme(text_of(kTop / "README.md"));
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    const bool begins = line.starts_with(house + "/ ") && line.find(" < ") != std::string::npos;
+    const bool goes_on = inside && line.starts_with("  ") && line.find(" < ") != std::string::npos;
+    inside = begins || goes_on;
+    if (!inside) continue;
+    std::istringstream words(begins ? line.substr(house.size() + 1) : line);
+    for (std::string word; words >> word;)
+      if (word != "<") rooms.push_back(word);
+  }
+  return rooms;
+}
+
+// "sim/mesh/check.cpp" is in the room "mesh", the file "sim/state.cpp" in the room "state.h".
+std::string room_of(const std::string& path) {
+  const std::size_t first = path.find('/') + 1, second = path.find('/', first);
+  const std::string room = path.substr(first, second == std::string::npos ? second : second - first);
+  if (second != std::string::npos || !room.ends_with(".cpp") || room == "main.cpp") return room;
+  return room.substr(0, room.size() - 4) + ".h";
+}
+
+std::vector<std::string> includes_of(const fs::path& file) {
+  static const std::regex include("#include \"((?:app|sim|render)/[^\"]+)\"");
+  const std::string text = text_of(file);
+  std::vector<std::string> all;
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it)
+    all.push_back((*it)[1]);
+  return all;
+}
+
+template <class F>
+void for_each_source(const std::string& house, const F& f) {
+  for (const auto& entry : fs::recursive_directory_iterator(kTop / house)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".cpp" || extension == ".h") f(fs::relative(entry.path(), kTop).string(), entry.path());
+  }
+}
+
+TEST(House, EachRoomIncludesOnlyThoseBeforeIt) {
+  for (const std::string house : {"sim", "app"}) {
+    std::map<std::string, int> floor;
+    for (const std::string& room : rooms_of(house)) floor.emplace(room, static_cast<int>(floor.size()));
+    ASSERT_GT(floor.size(), 10u) << "README.md says the order of " << house;
+    for_each_source(house, [&](const std::string& name, const fs::path& file) {
+      const std::string room = room_of(name);
+      ASSERT_TRUE(floor.contains(room)) << name << ": no such room in README.md";
+      for (const std::string& included : includes_of(file)) {
+        if (!included.starts_with(house + "/")) continue;
+        EXPECT_LE(floor[room_of(included)], floor[room]) << name << " includes " << included << ", which is above it";
+      }
+    });
+  }
+}
+
+TEST(House, RenderKnowsNeitherSimNorApp) {
+  for_each_source("render", [](const std::string& name, const fs::path& file) {
+    for (const std::string& included : includes_of(file))
+      EXPECT_TRUE(included.starts_with("render/")) << name << " includes " << included;
+  });
+}
+
+TEST(House, SimKnowsNeitherRenderNorApp) {
+  for_each_source("sim", [](const std::string& name, const fs::path& file) {
+    for (const std::string& included : includes_of(file))
+      EXPECT_TRUE(included.starts_with("sim/")) << name << " includes " << included;
+  });
+}
+
+TEST(House, TheTopLevelHasNoOtherEntries) {
+  const std::vector<std::string> allowed = {"app", "sim", "render", "assets", "tests", "CMakeLists.txt", "README.md"};
+  for (const auto& entry : fs::directory_iterator(kTop)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with(".") || name.starts_with("build") || name == "out") continue;
+    EXPECT_NE(std::ranges::find(allowed, name), allowed.end()) << name;
+  }
+}
+
+}  // namespace
