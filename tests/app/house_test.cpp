@@ -29,6 +29,7 @@ std::vector<std::string> rooms_of(const std::string& house) {
   std::istringstream readme(text_of(kTop / "README.md"));
   bool inside = false;
   for (std::string line; std::getline(readme, line);) {
+    if (line.starts_with("    ")) line.erase(0, 4);
     const bool begins = line.starts_with(house + "/ ") && line.find(" < ") != std::string::npos;
     const bool goes_on = inside && line.starts_with("  ") && line.find(" < ") != std::string::npos;
     inside = begins || goes_on;
