@@ -12,7 +12,7 @@ struct KeptFactor {
   std::int64_t excess = 0;           // iterations that its age has cost since it was made
   std::int64_t definiteness = 0;     // a value of sim::Definiteness
   double t_begin = 0, t = 0;         // s: start of that step, and of its stage
-  double dv_dx = 0, mass = 0;        // 1/(g h), 1/(g h)^2
+  double dv_dx = 0, c = 0;           // 1/(g h), 1/(g h)^2
   Eigen::VectorXd x_begin, v_begin;  // at the start of that step
   Eigen::VectorXd x, v;              // where it was linearised
 };
@@ -41,7 +41,7 @@ void for_each_field(S& state, const F& f) {
   f(k.t_begin);
   f(k.t);
   f(k.dv_dx);
-  f(k.mass);
+  f(k.c);
   f(k.x_begin);
   f(k.v_begin);
   f(k.x);

@@ -91,11 +91,11 @@ class Runner {
     progress_.note(note(report, totals));
   }
 
-  // ", Newton 3 (residual 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
+  // ", Newton 3 (increment 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
   static std::string note(const sim::StepReport& report, const Totals& totals) {
     char newton[64] = "";
     if (report.newton > 0) {
-      std::snprintf(newton, sizeof newton, ", Newton %d (residual %.1g)", report.newton, report.residual);
+      std::snprintf(newton, sizeof newton, ", Newton %d (increment %.1g)", report.newton, report.increment);
     }
     std::string text = newton;
     if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " steps not converged";

@@ -11,20 +11,20 @@ class AutoSolver final : public LinearSolver {
  public:
   explicit AutoSolver(const Model& model) : iterative_(model), direct_(model) {}
 
-  LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
-                     KeptFactor& kept, Eigen::VectorXd& dx) override {
+  void begin_step(TangentOperator& A, const KeptFactor& kept) override { direct_.begin_step(A, kept); }
+  LinearResult solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
+                     Eigen::VectorXd& dx) override {
     // About as long as a factor, shared by the steps that it serves, and its solves take (beam of 8,000 to 24,000
     // dofs).
     constexpr int too_many = 200;
-    if (kept.valid) return direct_.solve(A, where, r, tolerance, kept, dx);
+    if (direct_.kept()->valid || direct_.without_factor()) return direct_.solve(A, r, tolerance, dx);
     const LinearResult tried = iterative_.solve_within(too_many, A, r, tolerance, dx);
     if (tried.solved && tried.positive_definite) return tried;
-    LinearResult result = direct_.solve(A, where, r, tolerance, kept, dx);
+    LinearResult result = direct_.solve(A, r, tolerance, dx);
     result.iterations += tried.iterations;
     return result;
   }
-  bool lost(const KeptFactor& kept) const override { return direct_.lost(kept); }
-  void restore(const TangentOperator& A, const KeptFactor& kept) override { direct_.restore(A, kept); }
+  const KeptFactor* kept() const override { return direct_.kept(); }
 
  private:
   IterativeSolver iterative_;

@@ -1,6 +1,6 @@
 #include "sim/solve/direct_solver.h"
 
-#include <new>
+#include <utility>
 
 namespace sim {
 
@@ -9,75 +9,101 @@ namespace {
 // More iterations than this in one solve and a new factor is made at once.
 constexpr int most_iterations = 60;
 
-void remember(const Linearisation& where, KeptFactor& kept) {
-  kept.valid = 1;
-  kept.excess = 0;
-  kept.definiteness = static_cast<int>(where.fix);
-  kept.t_begin = where.begin.t;
-  kept.t = where.at.t;
-  kept.dv_dx = where.at.dv_dx;
-  kept.mass = where.mass;
-  kept.x_begin = where.begin.x;
-  kept.v_begin = where.begin.v;
-  kept.x = where.at.x;
-  kept.v = where.at.v;
-}
-
 bool same_factor(const KeptFactor& a, const KeptFactor& b) {
   return a.valid == b.valid && a.definiteness == b.definiteness && a.t_begin == b.t_begin && a.t == b.t &&
-         a.dv_dx == b.dv_dx && a.mass == b.mass && a.x_begin == b.x_begin && a.v_begin == b.v_begin && a.x == b.x &&
+         a.dv_dx == b.dv_dx && a.c == b.c && a.x_begin == b.x_begin && a.v_begin == b.v_begin && a.x == b.x &&
          a.v == b.v;
 }
 
 }  // namespace
 
-DirectSolver::DirectSolver(const Model& model) : matrix_(*model.pattern, model.D) {}
+DirectSolver::DirectSolver(const Model& model) : model_(model) {
+  matrix_.emplace(*model.pattern, model.D);
+  cholesky_.emplace();
+}
 
-bool DirectSolver::factorise(const TangentOperator& A) {
+Cholesky::Status DirectSolver::factorise(const TangentOperator& A) {
   if (epoch_ != A.epoch()) {
-    if (!cholesky_.analyse(matrix_, A.free())) throw std::bad_alloc();
+    if (!cholesky_->analyse(*matrix_, A.free())) return Cholesky::Status::out_of_memory;
     epoch_ = A.epoch();
   }
-  const Cholesky::Status status = cholesky_.factorise(matrix_);
-  if (status == Cholesky::Status::out_of_memory) throw std::bad_alloc();
-  return status == Cholesky::Status::done;
+  return cholesky_->factorise(*matrix_);
 }
 
-LinearResult DirectSolver::solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r,
-                                 double tolerance, KeptFactor& kept, Eigen::VectorXd& dx) {
+void DirectSolver::remember(const TangentOperator& A) {
+  const Linearisation& where = A.linearisation();
+  held_.valid = 1;
+  held_.excess = 0;
+  held_.definiteness = static_cast<int>(where.fix);
+  held_.t_begin = where.begin.t;
+  held_.t = where.at.t;
+  held_.dv_dx = where.at.dv_dx;
+  held_.c = where.c;
+  held_.x_begin = where.begin.x;
+  held_.v_begin = where.begin.v;
+  held_.x = where.at.x;
+  held_.v = where.at.v;
+}
+
+void DirectSolver::give_up_factor() {
+  matrix_.reset();
+  cholesky_.reset();
+  held_ = {};
+  fallback_.emplace(model_, /*with_matrix=*/false);
+  to_be_said_ = true;
+}
+
+void DirectSolver::begin_step(TangentOperator& A, const KeptFactor& kept) {
+  if (fallback_) return;
+  held_.valid = held_.valid && kept.valid;
+  if (!kept.valid) return;
+  if (same_factor(kept, held_)) {
+    held_.excess = kept.excess;
+    return;
+  }
+  held_ = kept;
+  A.begin_step({held_.x_begin, held_.v_begin, held_.t_begin, 0});
+  scratch_.resize(model_.dofs());
+  A.linearise({held_.x, held_.v, held_.t, held_.dv_dx}, held_.c, static_cast<Definiteness>(held_.definiteness),
+              scratch_.r);
+  A.assemble(*matrix_);
+  if (factorise(A) == Cholesky::Status::out_of_memory) give_up_factor();
+}
+
+LinearResult DirectSolver::solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
+                                 Eigen::VectorXd& dx) {
   LinearResult result;
-  A.assemble(matrix_);
-  if (kept.valid && epoch_ == A.epoch() && kept.excess < cholesky_.solves_per_factor()) {
+  if (fallback_) {
+    result = fallback_->solve(A, r, tolerance, dx);
+    result.no_factor = std::exchange(to_be_said_, false);
+    return result;
+  }
+  A.assemble(*matrix_);
+  if (held_.valid && epoch_ == A.epoch() && held_.excess < cholesky_->solves_per_factor()) {
     const PcgResult cg = pcg(
         [&](const auto& p, auto& Ap) {
-          matrix_.multiply(p, Ap, A.threads());
+          matrix_->multiply(p, Ap, A.threads());
           Ap.array() *= A.free().array();
         },
-        [&](const auto& residual, auto& z) { cholesky_.solve(residual, z); }, r, tolerance, most_iterations, scratch_,
+        [&](const auto& residual, auto& z) { cholesky_->solve(residual, z); }, r, tolerance, most_iterations, scratch_,
         dx);
     result.iterations = cg.iterations;
-    kept.excess += std::max(cg.iterations - 1, 0);
+    held_.excess += std::max(cg.iterations - 1, 0);
     if (cg.converged) return result;
   }
-  kept.valid = 0;
+  held_.valid = 0;
+  const Cholesky::Status status = factorise(A);
+  if (status == Cholesky::Status::out_of_memory) {
+    give_up_factor();
+    return solve(A, r, tolerance, dx);
+  }
   ++result.factorisations;
-  result.positive_definite = factorise(A);
+  result.positive_definite = status == Cholesky::Status::done;
   if (!result.positive_definite) return result;
-  remember(where, kept);
-  held_ = kept;
-  cholesky_.solve(r, dx);
+  remember(A);
+  cholesky_->solve(r, dx);
   ++result.iterations;
   return result;
-}
-
-bool DirectSolver::lost(const KeptFactor& kept) const {
-  return kept.valid && !same_factor(kept, held_);
-}
-
-void DirectSolver::restore(const TangentOperator& A, const KeptFactor& kept) {
-  A.assemble(matrix_);
-  factorise(A);
-  held_ = kept;
 }
 
 }  // namespace sim

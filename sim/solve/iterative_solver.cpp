@@ -6,8 +6,8 @@ IterativeSolver::IterativeSolver(const Model& model, bool with_matrix) : inverse
   if (with_matrix && model.pattern) matrix_.emplace(*model.pattern, model.D);
 }
 
-LinearResult IterativeSolver::solve(const TangentOperator& A, const Linearisation&, const Eigen::VectorXd& r,
-                                    double tolerance, KeptFactor&, Eigen::VectorXd& dx) {
+LinearResult IterativeSolver::solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
+                                    Eigen::VectorXd& dx) {
   return solve_within(100 + static_cast<int>(std::min<Eigen::Index>(r.size(), 20000)), A, r, tolerance, dx);
 }
 

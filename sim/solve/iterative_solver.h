@@ -14,8 +14,8 @@ class IterativeSolver final : public LinearSolver {
   // with_matrix: assembled where the system has a pattern for it.
   explicit IterativeSolver(const Model& model, bool with_matrix = true);
 
-  LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r, double tolerance,
-                     KeptFactor& kept, Eigen::VectorXd& dx) override;
+  LinearResult solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
+                     Eigen::VectorXd& dx) override;
   // At most so many iterations.
   LinearResult solve_within(int most, const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
                             Eigen::VectorXd& dx);

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "sim/mesh/input_error.h"
 #include "sim/solve/tangent_operator.h"
 #include "sim/state.h"
 
@@ -15,27 +14,20 @@ struct LinearResult {
   int factorisations = 0;
   bool positive_definite = true;  // false: A is not, dx is not to be used
   bool solved = true;             // false: the tolerance was not reached
-};
-
-// Where a matrix was linearised: all that is needed to make it again.
-struct Linearisation {
-  const Motion& at;
-  const Motion& begin;  // of the step
-  double mass = 0;      // 1/(g h)^2
-  Definiteness fix = Definiteness::clamp;
+  bool no_factor = false;         // there was no memory for a factor, from here on there is none; said once
 };
 
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  // A dx = r to |r - A dx| <= tolerance |r|; A was linearised anew, `where`. dx and r are zero on prescribed
-  // components. `kept` tells of the factor that is held from before, and is told of a new one.
-  virtual LinearResult solve(const TangentOperator& A, const Linearisation& where, const Eigen::VectorXd& r,
-                             double tolerance, KeptFactor& kept, Eigen::VectorXd& dx) = 0;
-  // True when the factor that `kept` tells of is not the one held (a state was loaded): the caller linearises A where
-  // `kept` says and calls restore.
-  virtual bool lost(const KeptFactor& /*kept*/) const { return false; }
-  virtual void restore(const TangentOperator& /*A*/, const KeptFactor& /*kept*/) {}
+  // A step begins whose State tells of this factor. Another one that is held is dropped; one that is not (a state was
+  // loaded) is made again, for which A is linearised where `kept` says.
+  virtual void begin_step(TangentOperator& /*A*/, const KeptFactor& /*kept*/) {}
+  // A dx = r to |r - A dx| <= tolerance |r|; A was linearised anew. dx and r are zero on prescribed components.
+  virtual LinearResult solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
+                             Eigen::VectorXd& dx) = 0;
+  // The factor that is held, for State to tell of; nullptr: this solver holds none.
+  virtual const KeptFactor* kept() const { return nullptr; }
 };
 
 // "cholmod", "pcg" (forms no matrix), "pcg-assembled", or "auto": by size and by counts of iterations.

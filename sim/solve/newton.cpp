@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <new>
 
 #include "sim/mesh/input_error.h"
-#include "sim/solve/iterative_solver.h"
 #include "sim/solve/stopwatch.h"
 
 namespace sim {
@@ -70,32 +68,17 @@ Newton::Newton(const Model& model, int threads)
       difference_(model.dofs()),
       product_(model.dofs()) {}
 
-void Newton::begin_step(const Motion& start, double t_end, KeptFactor& kept, StepReport& report) {
+void Newton::begin_step(const Motion& start, double t_end, const KeptFactor& kept) {
   if (model_.pins.released(t_end) != tangent_.epoch()) {
     model_.pins.mark(t_end, tangent_.free());
     tangent_.set_epoch(model_.pins.released(t_end));
   }
-  if (linear_->lost(kept)) {
-    model_.pins.mark(kept.t, tangent_.free());
-    tangent_.begin_step({kept.x_begin, kept.v_begin, kept.t_begin, 0});
-    tangent_.linearise({kept.x, kept.v, kept.t, kept.dv_dx}, kept.mass, static_cast<Definiteness>(kept.definiteness),
-                       f_);
-    try {
-      linear_->restore(tangent_, kept);
-    } catch (const std::bad_alloc&) {
-      give_up_factor(kept, report);
-    }
-    model_.pins.mark(t_end, tangent_.free());
-  }
+  linear_->begin_step(tangent_, kept);
   tangent_.begin_step(start);
 }
 
-// There is no memory for a factor: conjugate gradients from now on, without a matrix.
-void Newton::give_up_factor(KeptFactor& kept, StepReport& report) {
-  linear_.reset();  // and what it holds
-  linear_ = std::make_unique<IterativeSolver>(model_, /*with_matrix=*/false);
-  kept = {};
-  report.no_factor = true;
+void Newton::keep(KeptFactor& kept) const {
+  if (linear_->kept()) kept = *linear_->kept();
 }
 
 void Newton::inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result) {
@@ -126,13 +109,13 @@ void Newton::move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen
 
 // The Newton direction dx_ from the residual f - (M (v - v_start) - impulse)/(g h), with the matrix made definite as
 // `first` says, then otherwise. False: a value is not finite.
-bool Newton::direction(const StageProblem& stage, const Motion& motion, const Motion& begin, Definiteness first,
-                       double tolerance, KeptFactor& kept, StepReport& report) {
-  const double rate = motion.dv_dx, mass = rate * rate;
+bool Newton::direction(const StageProblem& stage, const Motion& motion, Definiteness first, double tolerance,
+                       StepReport& report) {
+  const double rate = motion.dv_dx;
   const Definiteness definite = fix_ == Definiteness::none ? Definiteness::clamp : fix_;
   for (Definiteness fix = first;; fix = definite) {
     Stopwatch watch(report.seconds_assemble);
-    tangent_.linearise(motion, mass, fix, f_);
+    tangent_.linearise(motion, rate * rate, fix, f_);
     ++report.force_evaluations;
     residual_ = f_;
     if (stage.gh != 0) {
@@ -148,16 +131,10 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, const Mo
     }
 
     Stopwatch solve_watch(report.seconds_solve);
-    LinearResult linear;
-    const Linearisation where{motion, begin, mass, fix};
-    try {
-      linear = linear_->solve(tangent_, where, residual_, tolerance, kept, dx_);
-    } catch (const std::bad_alloc&) {
-      give_up_factor(kept, report);
-      linear = linear_->solve(tangent_, where, residual_, tolerance, kept, dx_);
-    }
+    const LinearResult linear = linear_->solve(tangent_, residual_, tolerance, dx_);
     report.linear += linear.iterations;
     report.factorisations += linear.factorisations;
+    report.no_factor = report.no_factor || linear.no_factor;
     if (linear.positive_definite) return dx_.allFinite();
     // The exact tangent is not positive definite here: clamped, it is, but for round-off. Where even that fails, down
     // the slope by the diagonal.
@@ -188,8 +165,7 @@ double Newton::line_search(const StageProblem& stage, const Motion& motion, Eige
   return 0;
 }
 
-bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::VectorXd& x, Eigen::VectorXd& v,
-                   KeptFactor& kept, StepReport& report) {
+bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
   const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
   const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
   const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;
@@ -200,7 +176,7 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
   for (; k < most; ++k) {
     const Definiteness first = exactness.next();
     const int factors = report.factorisations;
-    if (!direction(stage, motion, begin, first, linear, kept, report)) {
+    if (!direction(stage, motion, first, linear, report)) {
       report.failure = "the forces or the Newton direction are not finite";
       return false;
     }
@@ -213,13 +189,13 @@ bool Newton::solve(const StageProblem& stage, const Motion& begin, Eigen::Vector
     } else {
       a = line_search(stage, motion, x, v, report);
     }
-    report.residual = 0;
+    report.increment = 0;
     for (Eigen::Index node = 0; node < model_.node_count; ++node)
-      report.residual = std::max(report.residual,
-                                 dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
-    if (stage.one_iteration || (a == 1 && report.residual <= model_.solver.tolerance)) return true;
+      report.increment = std::max(report.increment,
+                                  dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
+    if (stage.one_iteration || (a == 1 && report.increment <= model_.solver.tolerance)) return true;
     if (a == 0 && !exactness.exact()) break;
-    exactness.look(a == 1 && report.factorisations <= factors + 1, report.residual);
+    exactness.look(a == 1 && report.factorisations <= factors + 1, report.increment);
   }
   report.converged = false;
   report.reason =

@@ -22,22 +22,23 @@ class Newton {
   Newton(const Model& model, int threads);
 
   // Terms freeze what they keep for a step; the free components are those of time t_end of the step.
-  void begin_step(const Motion& start, double t_end, KeptFactor& kept, StepReport& report);
+  // kept: the factor that the state at the start tells of.
+  void begin_step(const Motion& start, double t_end, const KeptFactor& kept);
+  // What the state at the step's end tells of.
+  void keep(KeptFactor& kept) const;
   // x and v: the start of the iteration on entry, with prescribed components in place; the stage's solution on return.
   // False, with report.failure, when the start is not allowed or a value is not finite.
-  bool solve(const StageProblem& stage, const Motion& begin, Eigen::VectorXd& x, Eigen::VectorXd& v, KeptFactor& kept,
-             StepReport& report);
+  bool solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report);
   // The stage's potential up to a constant [J]; +infinity where it is not allowed.
   double potential(const StageProblem& stage, const Motion& motion);
 
   TangentOperator& tangent() { return tangent_; }
 
  private:
-  bool direction(const StageProblem& stage, const Motion& motion, const Motion& begin, Definiteness first,
-                 double tolerance, KeptFactor& kept, StepReport& report);
+  bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, double tolerance,
+                 StepReport& report);
   double line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
                      StepReport& report);
-  void give_up_factor(KeptFactor& kept, StepReport& report);
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);

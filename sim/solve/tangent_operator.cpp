@@ -10,6 +10,7 @@ TangentOperator::TangentOperator(const Model& model, int threads)
 }
 
 void TangentOperator::begin_step(const Motion& start) {
+  begin_.emplace(start);
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->begin_step(start, *stores_[k]);
 }
 
@@ -17,8 +18,8 @@ bool TangentOperator::lags() const {
   return std::any_of(model_.terms.begin(), model_.terms.end(), [](const auto& term) { return term->lags(); });
 }
 
-void TangentOperator::linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f) {
-  mass_ = mass;
+void TangentOperator::linearise(const Motion& motion, double c, Definiteness fix, Eigen::VectorXd& f) {
+  where_.emplace(*begin_, motion, c, fix);
   f.setZero();
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->linearise(motion, fix, *stores_[k], f);
 }
@@ -42,21 +43,21 @@ double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd
 
 void TangentOperator::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
   y.setZero();
-  for (const Mass& mass : model_.masses) mass.add_product(mass_, p, y, model_.D);
+  for (const Mass& mass : model_.masses) mass.add_product(where_->c, p, y, model_.D);
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_product(*stores_[k], 1, p, y);
   y.array() *= free_.array();
 }
 
 void TangentOperator::diagonal(Eigen::VectorXd& d) const {
   d.setZero();
-  for (const Mass& mass : model_.masses) mass.add_diagonal(mass_, d, model_.D);
+  for (const Mass& mass : model_.masses) mass.add_diagonal(where_->c, d, model_.D);
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_diagonal(*stores_[k], 1, d);
   d.array() = d.array() * free_.array() + (1 - free_.array());
 }
 
 void TangentOperator::assemble(BlockMatrix& A) const {
   A.set_zero();
-  for (const Mass& mass : model_.masses) mass.add_matrix(mass_, A);
+  for (const Mass& mass : model_.masses) mass.add_matrix(where_->c, A);
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_matrix(*stores_[k], 1, A);
   A.mirror(threads_);
 }

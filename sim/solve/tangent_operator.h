@@ -2,11 +2,19 @@
 // product, as a diagonal, or assembled. Which of these is formed is the linear solver's choice.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "sim/solve/model.h"
 
 namespace sim {
+
+// Where A was linearised: all that is needed to make it again.
+struct Linearisation {
+  Motion begin, at;  // of the step, and within it
+  double c;          // 1/(g h)^2, 0 for a static problem
+  Definiteness fix;
+};
 
 class TangentOperator {
  public:
@@ -15,8 +23,10 @@ class TangentOperator {
   // Terms freeze what they keep for a step.
   void begin_step(const Motion& start);
   bool lags() const;  // some term does
-  // Linearises every term at the motion; mass: c [1/s^2]. f = -grad U (not restricted).
-  void linearise(const Motion& motion, double mass, Definiteness fix, Eigen::VectorXd& f);
+  // Linearises every term at the motion; c [1/s^2]. f = -grad U (not restricted).
+  void linearise(const Motion& motion, double c, Definiteness fix, Eigen::VectorXd& f);
+  // Where that was, while the vectors of both motions live.
+  const Linearisation& linearisation() const { return *where_; }
   // f = -grad U
   void forces(const Motion& motion, Eigen::VectorXd& f);
   // U, +infinity where a term does not allow the motion
@@ -46,7 +56,8 @@ class TangentOperator {
   std::vector<std::unique_ptr<Term::Store>> stores_;  // one for each term
   Eigen::VectorXd free_;
   int epoch_ = -1;
-  double mass_ = 0;
+  std::optional<Motion> begin_;
+  std::optional<Linearisation> where_;
 };
 
 }  // namespace sim

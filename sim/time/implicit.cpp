@@ -65,7 +65,7 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, d
   place();
 }
 
-bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, const Motion& begin,
+bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin,
                                  StepReport& report) {
   const Eigen::VectorXd* x[] = {&next_.x, &next_.x_before, &x_first_};
   const Eigen::VectorXd* v[] = {&next_.v, &next_.v_before, &v_first_};
@@ -84,9 +84,9 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     }
   }
   const StageProblem problem{
-      x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, begin.t + stage.end * h, scheme.one_iteration};
+      x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, t_begin + stage.end * h, scheme.one_iteration};
   guess(problem, scheme, h);
-  if (!newton_.solve(problem, begin, x_, v_, next_.kept, report)) return false;
+  if (!newton_.solve(problem, x_, v_, report)) return false;
   // What was frozen at the step's start cost an order of accuracy; frozen at the stage's solution it does not.
   const int again = newton_.tangent().lags() && !scheme.one_iteration ? model_.solver.lag_iterations : 0;
   for (int k = 0; k < again; ++k) {
@@ -94,7 +94,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     v_lagged_ = v_;
     const Motion lagged{x_lagged_, v_lagged_, problem.t, 0};
     newton_.tangent().begin_step(lagged);
-    if (!newton_.solve(problem, lagged, x_, v_, next_.kept, report)) return false;
+    if (!newton_.solve(problem, x_, v_, report)) return false;
   }
   if (problem.gh != 0) {
     // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
@@ -140,7 +140,7 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
   const bool released = model_.pins.released(t_end) != model_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
   if (released) next_.kept.valid = 0;
-  newton_.begin_step(begin, t_end, next_.kept, report);
+  newton_.begin_step(begin, t_end, next_.kept);
   if (next_.force.size() == 0 || released) {
     next_.force.resize(model_.dofs());
     newton_.tangent().forces(begin, next_.force);
@@ -148,8 +148,9 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
   }
   report.converged = true;
   for (std::size_t k = 0; k < scheme.stages.size(); ++k)
-    if (!take_stage(scheme, scheme.stages[k], static_cast<int>(k), h, begin, report)) return false;
+    if (!take_stage(scheme, scheme.stages[k], static_cast<int>(k), h, t, report)) return false;
   finish(scheme, begin, t_end);
+  newton_.keep(next_.kept);
   return report.converged;
 }
 

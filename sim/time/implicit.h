@@ -28,8 +28,7 @@ class ImplicitStepper final : public Stepper {
   bool advance(const Interval& interval, StepReport& report);
   const Scheme& scheme_of(const Interval& interval) const;
   bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
-  bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, const Motion& begin,
-                  StepReport& report);
+  bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
   void guess(const StageProblem& problem, const Scheme& scheme, double h);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 

@@ -54,7 +54,7 @@ struct Stepped {
     for (int k = 0; k < count; ++k) {
       last = stepper->step(state);
       ASSERT_EQ(last.failure, "") << "step " << last.step;
-      ASSERT_TRUE(last.converged) << "step " << last.step << ", residual " << last.residual;
+      ASSERT_TRUE(last.converged) << "step " << last.step << ", increment " << last.increment;
     }
   }
   Vec3 tip() const { return system.probe_displacement(state, 0); }
