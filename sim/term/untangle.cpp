@@ -32,7 +32,10 @@ struct UntangleTerm::Goals : Store {
   double t = 0;  // s, when the step began
   std::vector<bool> drawn;
   Eigen::Matrix3Xd place, drift;  // m, m/s
-  Eigen::VectorXd free;           // of the system, for a look at the pins
+  // Scratch of begin_step.
+  Eigen::VectorXd free;    // of the system, for a look at the pins
+  Eigen::Matrix3Xd x, v;   // of the body
+  Eigen::VectorXd weight;  // in the fit, N/m
 };
 
 UntangleTerm::UntangleTerm(const Body& body, const std::vector<int>& material, int first_node, const Eigen::VectorXd& X,
@@ -41,10 +44,11 @@ UntangleTerm::UntangleTerm(const Body& body, const std::vector<int>& material, i
       strength_(body.untangle),
       first_node_(first_node),
       D_(D),
+      dofs_(X.size()),
       X_(Eigen::Matrix3Xd::Zero(3, body.mesh.node_count())),
       k_(strength_ * nodal_stiffness(body, material)),
       pins_(pins) {
-  X_ = positions(X);
+  take(X, X_);
   for (Component& part : components(body.mesh)) {
     Tangle tangle(body.mesh, part, first_node, D);
     parts_.push_back({std::move(part.nodes), std::move(tangle)});
@@ -61,30 +65,31 @@ std::unique_ptr<Term::Store> UntangleTerm::make_store(int threads) const {
   auto store = std::make_unique<Goals>();
   store->threads = threads;
   store->drawn.assign(X_.cols(), false);
-  store->place = store->drift = Eigen::Matrix3Xd::Zero(3, X_.cols());
+  store->place = store->drift = store->x = store->v = Eigen::Matrix3Xd::Zero(3, X_.cols());
+  store->free.resize(dofs_);
+  store->weight.resize(X_.cols());
   return store;
 }
 
-Eigen::Matrix3Xd UntangleTerm::positions(const Eigen::VectorXd& x) const {
-  Eigen::Matrix3Xd p = Eigen::Matrix3Xd::Zero(3, X_.cols());
+void UntangleTerm::take(const Eigen::VectorXd& x, Eigen::Matrix3Xd& p) const {
   p.topRows(D_) = x.segment(static_cast<Eigen::Index>(first_node_) * D_, X_.cols() * D_).reshaped(D_, X_.cols());
-  return p;
 }
 
 void UntangleTerm::aim(const Part& part, const Motion& start, Goals& goals) const {
   constexpr double lead = 1e3;  // of a pinned node, times its weight
-  goals.free.setOnes(start.x.size());
   pins_.mark(start.t, goals.free);
-  Eigen::VectorXd weight = k_;
+  goals.weight = k_;
   for (const int i : part.nodes)
-    if (goals.free.segment(static_cast<Eigen::Index>(first_node_ + i) * D_, D_).minCoeff() == 0) weight[i] *= lead;
-  const Eigen::Matrix3Xd x = positions(start.x), v = positions(start.v);
-  const RigidFit fit = fit_rigid(X_, x, weight, part.nodes, D_);
+    if (goals.free.segment(static_cast<Eigen::Index>(first_node_ + i) * D_, D_).minCoeff() == 0)
+      goals.weight[i] *= lead;
+  take(start.x, goals.x);
+  take(start.v, goals.v);
+  const RigidFit fit = fit_rigid(X_, goals.x, goals.weight, part.nodes, D_);
   Vec3 mean = Vec3::Zero();
   double sum = 0;
   for (const int i : part.nodes) {
-    mean += weight[i] * v.col(i);
-    sum += weight[i];
+    mean += goals.weight[i] * goals.v.col(i);
+    sum += goals.weight[i];
   }
   for (const int i : part.nodes) {
     goals.drawn[i] = true;

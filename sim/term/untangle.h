@@ -27,6 +27,7 @@ class UntangleTerm final : public Term {
   Role role() const override { return Role::own; }
   std::unique_ptr<Store> make_store(int threads) const override;
   void begin_step(const Motion& start, Store& store) const override;
+  bool lags() const override { return true; }
   double energy(const Motion& motion, Store& store) const override;
   void add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const override;
   void add_product(const Store& store, double s, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override;
@@ -41,7 +42,8 @@ class UntangleTerm final : public Term {
     Tangle tangle;
   };
   void aim(const Part& part, const Motion& start, Goals& goals) const;
-  Eigen::Matrix3Xd positions(const Eigen::VectorXd& x) const;
+  // Of the body's nodes; p has three numbers for each, the third 0 in 2D.
+  void take(const Eigen::VectorXd& x, Eigen::Matrix3Xd& p) const;
   // Calls f(node of the body, its first component in the system) for the nodes that are drawn.
   template <class F>
   void for_each_drawn(const Goals& goals, const F& f) const;
@@ -49,6 +51,7 @@ class UntangleTerm final : public Term {
   std::string body_;
   double strength_;
   int first_node_, D_;
+  Eigen::Index dofs_;  // of the system
   Eigen::Matrix3Xd X_;
   Eigen::VectorXd k_;  // N/m
   const Pins& pins_;

@@ -95,5 +95,30 @@ TEST(Allocations, NoneInAStepAfterTheFirst) {
     }
 }
 
+// Nor do the terms that freeze something when a step begins, or that act here and there.
+TEST(Allocations, NoneInAStepOfAScrambledBodyOnASlopeWithFriction) {
+  if (!test::can_count_allocations()) GTEST_SKIP();
+  Scene scene = test::beam("tet4", 2);
+  scene.time.substeps = 20;
+  scene.bodies[0].pins.clear();
+  scene.bodies[0].untangle = 1;
+  scene.bodies[0].start.shape = "scrambled";
+  const Plane slope{{0, 0, -0.01}, Vec3(0.3, 0, 1).normalized()};
+  scene.obstacles = {{slope, 0.4}, {Sphere{{2, 0.5, -1.01}, 1}, 0.2}};
+  scene.springs = {{scene.bodies[0].name, {4, 1, 1}, {4, 2, 1}, 1e4}};
+  test::Stepped run(scene);
+  int touching = 0;
+  const double dh = 1e-3 * run.system.bodies()[0].size;
+  for (int k = 0; k < 4; ++k) run.stepper->step(run.state);
+  for (int k = 0; k < 30; ++k) {
+    test::start_counting();
+    run.stepper->step(run.state);
+    EXPECT_EQ(test::stop_counting(), 0) << "step " << run.state.step;
+    for (Eigen::Index i = 0; i < run.state.x.size(); i += 3)
+      touching += slope.normal.dot(run.state.x.segment<3>(i) - slope.point) < dh;
+  }
+  EXPECT_GT(touching, 0) << "the plane was not reached";
+}
+
 }  // namespace
 }  // namespace sim
