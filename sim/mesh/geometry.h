@@ -48,7 +48,8 @@ template <class E, int D>
 Position<D> position(const Eigen::Matrix<double, D, E::nodes>& X_e, const std::array<double, E::dimension>& xi) {
   const auto N = E::N(xi);
   Position<D> X = Position<D>::Zero();
-  for (int i = 0; i < E::nodes; ++i) X += N[i] * X_e.col(i);
+  for (int i = 0; i < E::nodes; ++i)
+    for (int r = 0; r < D; ++r) X[r] += N[i] * X_e(r, i);
   return X;
 }
 
@@ -58,7 +59,8 @@ Jacobian<E, D> jacobian(const Eigen::Matrix<double, D, E::nodes>& X_e, const std
   const auto dN = E::dN(xi);
   Jacobian<E, D> J = Jacobian<E, D>::Zero();
   for (int i = 0; i < E::nodes; ++i) {
-    for (int k = 0; k < E::dimension; ++k) J.col(k) += dN[i][k] * X_e.col(i);
+    for (int k = 0; k < E::dimension; ++k)
+      for (int r = 0; r < D; ++r) J(r, k) += dN[i][k] * X_e(r, i);
   }
   return J;
 }

@@ -1,6 +1,6 @@
 #include "sim/mesh/locate.h"
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 #include <type_traits>
@@ -39,10 +39,15 @@ std::array<double, E::dimension> inverse_map(const Eigen::Matrix<double, D, E::n
   }
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Position<D> r = X - position<E>(X_e, xi);
-    const Eigen::Matrix<double, E::dimension, 1> step = jacobian<E>(X_e, xi).colPivHouseholderQr().solve(r);
+    const Jacobian<E, D> J = jacobian<E>(X_e, xi);
+    Eigen::Matrix<double, E::dimension, 1> step;
+    if constexpr (D == E::dimension)
+      step = J.inverse() * r;
+    else
+      step = (J.transpose() * J).inverse() * (J.transpose() * r);
     const double length = step.norm(), cut = std::max(1.0, length);
     for (int k = 0; k < E::dimension; ++k) xi[k] += step[k] / cut;
-    if (length < 1e-9) break;
+    if (!(length >= 1e-9)) break;
   }
   return xi;
 }
@@ -50,9 +55,20 @@ std::array<double, E::dimension> inverse_map(const Eigen::Matrix<double, D, E::n
 // Outside the element's box, widened by the tolerance and, for curved elements, by how far they may bulge out of it.
 template <class E, int D>
 bool outside_box(const Eigen::Matrix<double, D, E::nodes>& X_e, const Position<D>& X, double near) {
-  const Position<D> low = X_e.rowwise().minCoeff(), high = X_e.rowwise().maxCoeff();
-  const double wide = near + (E::order == 2 ? 0.5 * (high - low).maxCoeff() : 0.0);
-  return (X.array() < low.array() - wide).any() || (X.array() > high.array() + wide).any();
+  Position<D> low, high;
+  double longest = 0;
+  for (int r = 0; r < D; ++r) {
+    low[r] = high[r] = X_e(r, 0);
+    for (int i = 1; i < E::nodes; ++i) {
+      low[r] = std::min(low[r], X_e(r, i));
+      high[r] = std::max(high[r], X_e(r, i));
+    }
+    longest = std::max(longest, high[r] - low[r]);
+  }
+  const double wide = near + (E::order == 2 ? 0.5 * longest : 0.0);
+  for (int r = 0; r < D; ++r)
+    if (X[r] < low[r] - wide || X[r] > high[r] + wide) return true;
+  return false;
 }
 
 // The nearest element within the tolerance; the search ends at the first that holds the point to rounding.
