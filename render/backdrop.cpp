@@ -81,7 +81,7 @@ void main() {
 }
 )";
 
-constexpr std::string_view depth_fragment = "void main() {}\n";
+constexpr std::string_view plane_depth_fragment = "void main() {}\n";
 
 bool faces_eye(const Point& point, const Point& normal, const View& view) {
   const Eigen::Vector3f towards_eye =
@@ -152,7 +152,7 @@ Backdrop::Backdrop(const GladGLContext& gl, int width, int height)
       shade_(make_program(
           gl, {frame_block, plane_vertex},
           {visibility_reach(height), frame_block, visibility_lookup, disc_inputs, opacity_function, shade_fragment})),
-      depth_(make_program(gl, {frame_block, plane_vertex}, {depth_fragment})),
+      depth_(make_program(gl, {frame_block, plane_vertex}, {plane_depth_fragment})),
       made_texture_(make_texture(gl, {GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST})),
       made_target_(make_framebuffer(gl)),
       empty_(make_vertex_array(gl)) {

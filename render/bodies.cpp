@@ -9,7 +9,7 @@
 namespace render {
 namespace {
 
-constexpr std::string_view vertex_stage = R"(
+constexpr std::string_view body_vertex = R"(
 out vec3 world;
 out vec3 direction;  // of the normal
 out float scaled;    // value on the colour scale
@@ -155,7 +155,7 @@ Bodies::Bodies(const GladGLContext& gl)
     const auto make = [&](const Sources& fragment) {
       Sources pieces{switches, frame_block, opacity_code, surface_inputs, surface_colours};
       pieces.insert(pieces.end(), fragment.begin(), fragment.end());
-      return make_program(gl, {frame_block, vertex_attributes, vertex_stage}, pieces);
+      return make_program(gl, {frame_block, vertex_attributes, body_vertex}, pieces);
     };
     Programs& programs = coloured ? by_value_ : plain_;
     programs.solid = make({solid_light, solid_fragment});

@@ -7,7 +7,7 @@ namespace render {
 namespace {
 
 // Pixels from the upper left to clip space.
-constexpr std::string_view vertex_stage = R"(
+constexpr std::string_view quad_vertex = R"(
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 texel;
 layout(location = 2) in vec4 tint;
@@ -21,7 +21,7 @@ void main() {
 }
 )";
 
-constexpr std::string_view fragment_stage = R"(
+constexpr std::string_view quad_fragment = R"(
 in vec2 at;
 in vec4 ink;
 uniform sampler2D atlas;
@@ -40,7 +40,7 @@ GlObject upload_atlas(const GladGLContext& gl, ImFontAtlas& fonts) {
 
 DrawDataPainter::DrawDataPainter(const GladGLContext& gl, ImFontAtlas& fonts)
     : gl_(gl),
-      program_(make_program(gl, {vertex_stage}, {fragment_stage})),
+      program_(make_program(gl, {quad_vertex}, {quad_fragment})),
       vertex_array_(make_vertex_array(gl)),
       vertices_(make_buffer(gl)),
       indices_(make_buffer(gl)),

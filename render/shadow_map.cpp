@@ -5,11 +5,11 @@
 namespace render {
 namespace {
 
-constexpr std::string_view vertex_stage = R"(
+constexpr std::string_view shadow_vertex = R"(
 void main() { gl_Position = vec4((world_to_light * vec4(position, 1.0)).xyz * 2.0 - 1.0, 1.0); }
 )";
 
-constexpr std::string_view fragment_stage = "void main() {}\n";
+constexpr std::string_view shadow_fragment = "void main() {}\n";
 
 }  // namespace
 
@@ -17,7 +17,7 @@ ShadowMap::ShadowMap(const GladGLContext& gl)
     : gl_(gl),
       depth_(make_texture(gl, {GL_DEPTH_COMPONENT32F, texels, texels, GL_DEPTH_COMPONENT, GL_FLOAT, GL_NEAREST})),
       target_(make_framebuffer(gl)),
-      program_(make_program(gl, {frame_block, vertex_attributes, vertex_stage}, {fragment_stage})) {
+      program_(make_program(gl, {frame_block, vertex_attributes, shadow_vertex}, {shadow_fragment})) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, target_.name());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
   gl.DrawBuffer(GL_NONE);

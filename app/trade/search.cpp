@@ -16,7 +16,7 @@ constexpr double kTimeShare = 0.6, kMeshReferenceShare = 0.5, kMeshShare = 0.4, 
 constexpr int kMostCombinations = 6;
 constexpr double kGrowthOfWork = 1.2;  // work goes as unknowns to this power, at the least
 
-std::string percent(double share) {
+std::string percent_text(double share) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
   return text;
@@ -125,9 +125,9 @@ void Search::judge_references(const std::vector<const CaseRun*>& runs) {
          "; positions mean something up to there, and errors are those up to there. "
          "Beyond, compare the centre of mass and the energy (columns centre_error, mean_energy)");
   if (!check.agrees)
-    note("the reference cannot be trusted: tr-bdf2 and sdirk2 are " + percent(check.apart) +
+    note("the reference cannot be trusted: tr-bdf2 and sdirk2 are " + percent_text(check.apart) +
          " apart, and halving its step brings sdirk2 no nearer (halving that of tr-bdf2 moves it by " +
-         percent(check.moved) + ")");
+         percent_text(check.moved) + ")");
   scorer_.set(references_);
 }
 
@@ -144,8 +144,8 @@ void Search::raise_floor() {
   for (const Score* score : scores())
     below += score->time && !score->resolved && score->run->which.axis != Axis::reference ? 1 : 0;
   if (below > 0)
-    note("runs closer to the reference than ten times its uncertainty (" + percent(references_.check.uncertainty) +
-         "): " + std::to_string(below) + "; their errors are given as below " + percent(floor));
+    note("runs closer to the reference than ten times its uncertainty (" + percent_text(references_.check.uncertainty) +
+         "): " + std::to_string(below) + "; their errors are given as below " + percent_text(floor));
 }
 
 const CaseRun* Search::find_finest(const std::vector<MeshChange>& changes, double seconds) {

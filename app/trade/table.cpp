@@ -41,13 +41,13 @@ std::string row(const Score& score, bool on_front, const References& references)
 }
 
 // Errors of one integrator.
-struct Series {
+struct ErrorsByStep {
   int order = 0;
   std::vector<double> steps, errors;
 };
 
 // Over the two smallest steps: at larger ones the motion is not resolved yet.
-double finest_slope(const Series& series) {
+double finest_slope(const ErrorsByStep& series) {
   std::vector<std::size_t> order(series.steps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t k) { return series.steps[k]; });
@@ -161,11 +161,11 @@ std::string trade_csv(const std::vector<const Score*>& scores, const Ground& gro
 }
 
 std::vector<Slope> slopes(const std::vector<const Score*>& scores) {
-  std::map<std::string, Series> all;
+  std::map<std::string, ErrorsByStep> all;
   for (const Score* score : scores) {
     const CaseRun& run = *score->run;
     if (run.which.axis != Axis::time || !score->time || !score->resolved || score->time->rms > kMeaningful) continue;
-    Series& series = all[run.which.settings.front().second];
+    ErrorsByStep& series = all[run.which.settings.front().second];
     series.order = run.order;
     series.steps.push_back(run.step);
     series.errors.push_back(score->time->rms);

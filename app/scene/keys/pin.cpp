@@ -8,7 +8,7 @@ constexpr auto keyframe_of = [](auto& d, const Indices& i) -> auto& {
   return pin_of(d, i).motion[i[2]];
 };
 
-std::vector<Key> motion_keys() {
+std::vector<Key> pin_motion_keys() {
   return {
       {.path = "body[].pin[].motion", .kind = Kind::table, .meaning = "How the pinned nodes are moved."},
       {.path = "body[].pin[].motion.keyframes[]",
@@ -70,7 +70,7 @@ std::vector<Key> pin_keys() {
                   .absent = "never",
                   .meaning = "When the nodes are let go.",
                   .binding = field<pin_of, &sim::Pin::release>}});
-  append(table, motion_keys());
+  append(table, pin_motion_keys());
   return table;
 }
 
