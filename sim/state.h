@@ -6,8 +6,7 @@
 
 namespace sim {
 
-// A linear solver may keep the factor of an earlier matrix. This tells at which state that matrix was computed, so that
-// the same factor can be made again when a run is resumed.
+// At which state the factor that the linear solver keeps was made; a resumed run makes the same factor from it again.
 struct KeptFactor {
   std::int64_t valid = 0;            // 0: there is no such factor
   std::int64_t excess = 0;           // iterations that a new factor would have saved so far
