@@ -18,7 +18,7 @@ std::vector<Key> place_keys() {
        .kind = Kind::point,
        .unit = "m",
        .dimension = 3,
-       .absent = "where all bodies are seen, whenever",
+       .absent = "where all bodies are seen at all times",
        .meaning = "Position of the camera.",
        .binding = field<camera_of, &Camera::eye>},
       {.path = "camera.target",
@@ -44,7 +44,7 @@ std::vector<Key> place_keys() {
        .unit = "m",
        .range = above(0),
        .dimension = 2,
-       .absent = "all bodies are seen, whenever",
+       .absent = "all bodies are seen at all times",
        .meaning = "Height of the part of the plane that is seen.",
        .binding = field<camera_of, &Camera::height>},
   };
