@@ -75,7 +75,7 @@ struct Spin {
   double rate = 0;        // rad/s
 };
 
-// Where the nodes start, if not at rest: a row of sim/start/start.h. Without a value: what the row says.
+// Where the nodes start, if not at rest: a row of the table in sim/body/start.cpp. Without a value: what the row says.
 struct Start {
   std::string shape = "rest";
   std::optional<double> amount;        // how much; its unit depends on the shape

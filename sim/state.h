@@ -6,10 +6,10 @@
 
 namespace sim {
 
-// Where the factor that the linear solver still holds was made: enough to make the same factor again after a resume.
+// At which state the factor that the linear solver keeps was made; a resumed run makes the same factor from it again.
 struct KeptFactor {
-  std::int64_t valid = 0;            // 0: none is held
-  std::int64_t excess = 0;           // iterations that its age has cost since it was made
+  std::int64_t valid = 0;            // 0: there is no such factor
+  std::int64_t excess = 0;           // iterations that a new factor would have saved so far
   std::int64_t definiteness = 0;     // a value of sim::Definiteness
   double t_begin = 0, t = 0;         // s: start of that step, and of its stage
   double dv_dx = 0, c = 0;           // 1/(g h), 1/(g h)^2

@@ -19,7 +19,7 @@ struct Override {
 };
 
 struct Options {
-  std::string command = "record";   // a name in app/commands.h
+  std::string command = "record";   // a name in app/command/commands.cpp
   std::filesystem::path scene;      // the TOML file
   std::filesystem::path settings;   // TOML file whose keys overlay the scene; empty: none
   std::vector<Override> overrides;  // the last one wins

@@ -1,4 +1,4 @@
-// The reference of the scene's keys, as README.md has it.
+// The reference of the scene's keys, as app/scene/README.md has it.
 #pragma once
 
 #include <string>

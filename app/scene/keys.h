@@ -1,5 +1,5 @@
 // The table of keys: all that a scene file may say, one entry per key, with unit, range, default, meaning and the
-// field that it fills. Checks, dumps, the reference in README.md and the panel are made from it.
+// field that it fills. Checks, dumps, the reference in app/scene/README.md and the panel are made from it.
 #pragma once
 
 #include <array>

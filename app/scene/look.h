@@ -37,7 +37,7 @@ struct Look {
   std::optional<std::string> colour_map;       // one of render/colour_map.h; none: what suits the values
   std::optional<std::string> background;       // "studio" | "paper"; none: paper in 2D
   std::string finish = "rubber";               // "rubber" | "jelly"
-  std::string caption = "t = {t} s";           // {names} stand for live values, see app/caption.h
+  std::string caption = "t = {t} s";           // {names} stand for live values, see app/scene/caption_names.h
   bool wireframe = false;                      // edges of the elements over the faces
   bool smooth = true;                          // 3D: faces between smooth neighbours are drawn round
   bool shadows = true;                         // 3D: soft shadows and darkened creases

@@ -39,7 +39,8 @@ struct Score {
   // What is certain of the error of the run: the largest of total, time and model error (a total that is smaller than
   // one of its parts is luck), with the uncertainty of the reference. Infinite where nothing is known.
   Apart bound;
-  // By which runs are ranked: the least is what disturbs on the machine the least.
+  // The time that runs are ranked by. Other programs on the machine can only make a run slower, so the least of its
+  // times is the nearest to what it costs by itself.
   double seconds() const { return run->work.least(); }
 };
 
@@ -47,11 +48,11 @@ class Scorer {
  public:
   explicit Scorer(const Ground& ground) : ground_(ground), screen_(screen_points(ground)) {}
 
-  // Forgets what was measured against others.
+  // From now on runs are measured against these; earlier scores are forgotten.
   void set(const References& references);
   const References& references() const { return references_; }
   Apart apart(const CaseRun& a, const CaseRun& b) const;
-  // Of a run that stays where it is; remembered.
+  // The score of a run is kept under the run's address, which must not change.
   const Score& score(const CaseRun& run);
   Score judge(const CaseRun& run) const;
 

@@ -71,12 +71,12 @@ class Workbench {
   sim::StepReport report_;         // of the last step
   std::string message_;
 
-  FrameHistory frames_;     // and what they are shown with
-  LargestShown largest_{};  // what the frames so far have shown in colour
-  std::unique_ptr<const Sight> sight_;
-  double aspect_ = 0;                        // that it was made for
-  std::shared_ptr<const Simulation> shown_;  // what it shows; another than its own, when only
-  std::optional<render::Camera> camera_;     // the camera has moved since
+  FrameHistory frames_;                      // the energies and colours of the frames so far
+  LargestShown largest_{};                   // the largest value of each kind that they have shown in colour
+  std::unique_ptr<const Sight> sight_;       // makes frames of a simulation
+  double aspect_ = 0;                        // width over height of the picture that sight_ was made for
+  std::shared_ptr<const Simulation> shown_;  // the simulation of now; where only the camera has moved since sight_
+  std::optional<render::Camera> camera_;     // was made, it keeps the older one, and this camera replaces that of its frames
   render::Frame frame_;
 };
 

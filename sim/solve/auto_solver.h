@@ -1,5 +1,6 @@
-// Starts with conjugate gradients on the assembled matrix and goes over to CHOLMOD for good once they need too many
-// iterations: a choice by counts, so the same on every machine. That a factor is held says that it was made.
+// Starts with conjugate gradients on the assembled matrix and changes to CHOLMOD for the rest of the run once they need
+// too many iterations. Iterations are counted and no time is measured, so that every machine changes at the same step.
+// The solver has changed when the state holds a factor, and a resumed run reads from that how it has to go on.
 #pragma once
 
 #include "sim/solve/direct_solver.h"

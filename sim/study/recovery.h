@@ -1,4 +1,5 @@
-// Does a body find back to its rest shape? Steps a system and says where it ends.
+// Steps a system until its bodies are at rest, or as often as asked for, and says whether they have returned to their
+// rest shapes.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// The key table is whole and says the truth about its own fields; README.md holds the reference made from it.
+// The key table is whole and says the truth about its own fields; app/scene/README.md holds the reference made from it.
 #include "app/scene/keys.h"
 
 #include <gtest/gtest.h>
@@ -161,15 +161,15 @@ TEST(Keys, ReferenceHasARowForEveryKey) {
   EXPECT_NE(reference.find("| `body[].material.young` | a number | Pa | > 0 | `1e+06` |"), std::string::npos);
 }
 
-TEST(Keys, ReadmeHoldsTheReference) {
-  const std::string readme = read_all(std::filesystem::path(RITZ_SOURCE_DIR) / "README.md");
+TEST(Keys, TheDocumentHoldsTheReference) {
+  const std::string document = read_all(std::filesystem::path(RITZ_SOURCE_DIR) / "app/scene/README.md");
   const std::string begin = "<!-- keys -->\n";
   const std::string end = "<!-- /keys -->";
-  const std::size_t first = readme.find(begin);
-  ASSERT_NE(first, std::string::npos) << "README.md has no line " << begin;
-  const std::size_t last = readme.find(end, first);
-  ASSERT_NE(last, std::string::npos) << "README.md has no line " << end;
-  EXPECT_TRUE(readme.substr(first + begin.size(), last - first - begin.size()) == key_reference_markdown())
+  const std::size_t first = document.find(begin);
+  ASSERT_NE(first, std::string::npos) << "app/scene/README.md has no line " << begin;
+  const std::size_t last = document.find(end, first);
+  ASSERT_NE(last, std::string::npos) << "app/scene/README.md has no line " << end;
+  EXPECT_TRUE(document.substr(first + begin.size(), last - first - begin.size()) == key_reference_markdown())
       << "put the output of `ritz explain --keys` between the two marks";
 }
 

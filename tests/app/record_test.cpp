@@ -167,7 +167,7 @@ TEST_F(Record, TheRunFolderReproducesItself) {
 }
 
 TEST_F(Record, ThreadsDoNotChangeABit) {
-  // Large enough for two threads (sim/useful_threads.h).
+  // Large enough for two threads (useful_threads in sim/stepper.cpp).
   const auto fine = [&](const std::string& out) { return with(options(out), "body.0.mesh.cells", "[16, 8, 8]"); };
   ASSERT_EQ(run(fine("one")), kDone);
   Options two = fine("two");

@@ -90,7 +90,7 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {body("[[obstacle]]\nfriction = 0.1\n"), "scene.toml:3: obstacle.0: must have exactly one of plane, sphere"},
       {body("[[obstacle]]\nplane = { point = [0, 0, 0] }\n"), "scene.toml:4: obstacle.0.plane: 'normal' is missing"},
       {body("[[probe]]\nbody = \"b\"\nat = [0, 0, 0]\n"),
-       "scene.toml:3: probe.0: 'name' is missing: Heads its columns."},
+       "scene.toml:3: probe.0: 'name' is missing: Name of the probe, with which its columns in probes.csv begin."},
       {body("[[probe]]\nname = \"a\"\nbody = \"b\"\nat = [0, 0, 0]\n"),
        "scene.toml:5: probe.0.body = \"b\": there is no such body; there are: body0"},
       {body("[camera]\neye = [1, 1, 1]\ntarget = [1, 1, 1]\n"),

@@ -10,8 +10,8 @@ std::vector<Key> load_keys() {
                              .binding = length<body_of, &sim::Body::tractions>}};
   append(table, where_keys<traction_of, &sim::Traction::where>(
                     {"body[].traction[].box", "body[].traction[].sphere", "body[].traction[].group"},
-                    {"The boundary facets inside a box at rest: [lowest corner, highest corner]. Of a membrane: its "
-                     "faces, or its edges where no face is inside.",
+                    {"The boundary facets inside a box at rest: [lowest corner, highest corner]. For a membrane these "
+                     "are its faces, or its edges where no face is inside.",
                      "The boundary facets inside a sphere at rest: [centre, radius].",
                      "The boundary facets of a group of the mesh."}));
   append(table, {{.path = "body[].traction[].value",
@@ -24,7 +24,7 @@ std::vector<Key> load_keys() {
                   .kind = Kind::number,
                   .unit = "s",
                   .range = at_least(0),
-                  .meaning = "Time to rise smoothly from nothing to the value.",
+                  .meaning = "Time in which the load rises smoothly from zero to its value.",
                   .binding = field<traction_of, &sim::Traction::ramp>}});
   return table;
 }

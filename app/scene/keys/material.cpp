@@ -67,7 +67,7 @@ std::vector<Key> material_keys() {
                    .required = true,
                    .meaning = "Group of the mesh whose elements these are.",
                    .binding = field<region_of, &sim::MaterialSpec::group>});
-  table.push_back({.path = "body[].region[].material", .kind = Kind::table, .meaning = "Its material."});
+  table.push_back({.path = "body[].region[].material", .kind = Kind::table, .meaning = "Material of that part."});
   std::vector<Key> part =
       constants<region_of>({"body[].region[].material.model", "body[].region[].material.young",
                             "body[].region[].material.poisson", "body[].region[].material.density"});

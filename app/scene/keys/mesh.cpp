@@ -71,19 +71,21 @@ std::vector<Key> generator_keys() {
       {.path = "body[].mesh.file",
        .kind = Kind::text,
        .absent = "another source",
-       .meaning = "A mesh file, its path relative to the scene file.",
+       .meaning = "A mesh file (.msh, .node, .obj); its path is relative to the scene file.",
        .binding = file},
       {.path = "body[].mesh.cells",
        .kind = Kind::integers,
        .range = between(1, 10000),
        .absent = "needed with box, rectangle, sheet",
-       .meaning = "Cells per axis of a generated mesh; each is cut into triangles or tets where the element is one.",
+       .meaning = "Number of cells along each axis of a generated mesh; each cell is cut into triangles or tets where "
+                  "the element is one.",
        .binding = per_axis<&MeshSpec::cells>},
       {.path = "body[].mesh.grading",
        .kind = Kind::numbers,
        .range = {.low = 0.1, .high = 10},
        .absent = "1 for every axis",
-       .meaning = "Per axis of a generated mesh, x = length s^grading: above 1, cells crowd towards the low end.",
+       .meaning = "For each axis of a generated mesh, x = length s^grading with s spaced evenly from 0 to 1: above 1, "
+                  "cells crowd towards the low end.",
        .binding = per_axis<&MeshSpec::grading>},
   };
 }
@@ -117,12 +119,12 @@ std::vector<Key> mesh_keys() {
       {.path = "body[].mesh.rotate.degrees",
        .kind = Kind::number,
        .unit = "degrees",
-       .meaning = "Right-handed about the axis.",
+       .meaning = "Angle, right-handed about the axis.",
        .binding = field<mesh_of, &MeshSpec::degrees>},
       {.path = "body[].mesh.translate",
        .kind = Kind::point,
        .unit = "m",
-       .meaning = "Displacement; applied last.",
+       .meaning = "Displacement of the mesh; applied last.",
        .binding = field<mesh_of, &MeshSpec::translate>},
   };
   append(table, shared);

@@ -13,7 +13,7 @@ std::vector<Key> pin_motion_keys() {
       {.path = "body[].pin[].motion", .kind = Kind::table, .meaning = "How the pinned nodes are moved."},
       {.path = "body[].pin[].motion.keyframes[]",
        .kind = Kind::list,
-       .meaning = "A pair [time, pose], times increasing; the pose changes linearly in between.",
+       .meaning = "Pairs [time, pose] in the order of their times; from one pose to the next the motion is linear.",
        .binding = length<pin_of, &sim::Pin::motion>},
       {.path = "body[].pin[].motion.keyframes[].0",
        .kind = Kind::number,
@@ -43,7 +43,7 @@ std::vector<Key> pin_motion_keys() {
       {.path = "body[].pin[].motion.keyframes[].1.rotate.degrees",
        .kind = Kind::number,
        .unit = "degrees",
-       .meaning = "Right-handed about the axis.",
+       .meaning = "Angle, right-handed about the axis.",
        .binding = field<keyframe_of, &sim::Keyframe::degrees>},
   };
 }
@@ -61,14 +61,14 @@ std::vector<Key> pin_keys() {
                      "The nodes inside a sphere at rest: [centre, radius].", "The nodes of a group of the mesh."}));
   append(table, {{.path = "body[].pin[].axes",
                   .kind = Kind::axes,
-                  .meaning = "Which components are prescribed; the others are free.",
+                  .meaning = "The components that are prescribed; the others are free.",
                   .binding = field<pin_of, &sim::Pin::axes>},
                  {.path = "body[].pin[].release",
                   .kind = Kind::number,
                   .unit = "s",
                   .range = at_least(0),
                   .absent = "never",
-                  .meaning = "When the nodes are let go.",
+                  .meaning = "Time at which the nodes are let go.",
                   .binding = field<pin_of, &sim::Pin::release>}});
   append(table, pin_motion_keys());
   return table;

@@ -17,37 +17,40 @@ std::vector<Key> solver_keys() {
       {.path = "solver.linear",
        .kind = Kind::choice,
        .choices = linear_solver_names,
-       .meaning = "Linear solver inside Newton's method.",
+       .meaning = "Linear solver inside Newton's method: \"cholmod\" factorises the matrix, \"pcg\" iterates and forms "
+                  "none, \"pcg-assembled\" iterates on it, \"auto\" chooses by size and by counts of iterations.",
        .binding = field<solver_of, &sim::Solver::linear>},
       {.path = "solver.tolerance",
        .kind = Kind::number,
        .unit = "body sizes/s",
        .range = inside(0, 1),
-       .meaning = "Newton stops when max |dx|/(g h) is below it; g is the integrator's share of the step.",
+       .meaning = "Newton's method stops when max |dx|/(g h) is below it; dx is the last change of the positions, h "
+                  "the step and g the integrator's share of it.",
        .binding = field<solver_of, &sim::Solver::tolerance>},
       {.path = "solver.max_iterations",
        .kind = Kind::integer,
        .range = between(1, 100000),
-       .meaning = "Newton iterations per stage; where they do not suffice, the step is reported as not converged.",
+       .meaning = "The most Newton iterations that a stage of a step may take; solver.on_failure says what happens "
+                  "where they do not suffice.",
        .binding = field<solver_of, &sim::Solver::max_iterations>},
       {.path = "solver.lag_iterations",
        .kind = Kind::integer,
        .range = between(0, 100),
        .meaning =
-           "The stiffness in beta damping and the pressure in friction are those of the step's start, which costs an "
-           "order of accuracy in them; this many times they are evaluated anew at a stage's solution.",
+           "Beta damping takes its stiffness, and friction its pressure, from the beginning of the step, which costs "
+           "them an order of accuracy. This many times a stage is solved again with both taken from its own solution.",
        .binding = field<solver_of, &sim::Solver::lag_iterations>},
       {.path = "solver.definiteness",
        .kind = Kind::choice,
        .choices = definiteness_names,
-       .meaning =
-           "What is done to negative eigenvalues of an element's stiffness: set to zero, made positive, or kept.",
+       .meaning = "What is done to negative eigenvalues of an element's stiffness: \"clamp\" sets them to zero, "
+                  "\"abs\" makes them positive, \"none\" keeps them.",
        .binding = field<solver_of, &sim::Solver::definiteness>},
       {.path = "solver.on_failure",
        .kind = Kind::choice,
        .choices = on_failure_names,
-       .meaning = "A step whose equations are not solved: is taken again in halves (16 parts at most), is accepted as "
-                  "it is, or stops the run.",
+       .meaning = "What happens to a step whose equations are not solved: \"split\" takes it again in halves (16 parts "
+                  "at most), \"accept\" goes on with what there is, \"stop\" ends the run.",
        .binding = field<solver_of, &sim::Solver::on_failure>},
   };
 }

@@ -20,17 +20,17 @@ std::vector<Key> start_keys() {
            "Strength of a pull towards the rest shape that acts only while the body is folded through itself or has "
            "elements inside out: 1 undoes nearly every tangle, 0.1 is gentler, 0 leaves them.",
        .binding = field<body_of, &sim::Body::untangle>},
-      {.path = "body[].start", .kind = Kind::table, .meaning = "Where the nodes start that do not start at rest."},
+      {.path = "body[].start", .kind = Kind::table, .meaning = "How the body is deformed at the start."},
       {.path = "body[].start.shape",
        .kind = Kind::choice,
        .choices = start_names,
-       .meaning = "How the body is deformed at the start; README.md, Stability, tells them all.",
+       .meaning = "The deformation; app/scene/README.md has a table of them.",
        .binding = field<start_of, &sim::Start::shape>},
       {.path = "body[].start.amount",
        .kind = Kind::number,
-       .unit = "of the shape",
-       .absent = "as the shape says",
-       .meaning = "How much: a factor, degrees (\"twisted\") or body sizes (\"far\").",
+       .unit = "depends on the shape",
+       .absent = "depends on the shape",
+       .meaning = "How far the body is deformed: a factor, degrees (\"twisted\") or body sizes (\"far\").",
        .binding = field<start_of, &sim::Start::amount>},
       {.path = "body[].start.direction",
        .kind = Kind::direction,
@@ -42,7 +42,8 @@ std::vector<Key> start_keys() {
        .unit = "body sizes",
        .range = at_least(0),
        .absent = "1e-3 for \"plane\", \"line\", \"point\", else 0",
-       .meaning = "Largest random displacement of each component, from --seed: leaves states that symmetry would keep.",
+       .meaning = "Largest random displacement of each component of each node. It leaves states that a symmetric body "
+                  "would never leave.",
        .binding = field<start_of, &sim::Start::perturbation>},
   };
 }

@@ -38,14 +38,15 @@ std::vector<Key> time_keys() {
       {.path = "seed",
        .kind = Kind::integer,
        .range = at_least(0),
-       .meaning = "Of everything random in the scene: other seeds, other random starts. --seed sets it.",
+       .meaning = "Where the random numbers of the scene begin: another seed gives other random starts. The option "
+                  "--seed sets it too.",
        .binding = field<scene_of, &sim::Scene::seed>},
       {.path = "time", .kind = Kind::table, .meaning = "How long the scene lasts and how it is stepped."},
       {.path = "time.seconds",
        .kind = Kind::number,
        .unit = "s",
        .range = {.low = 0, .high = 1e6, .low_open = true},
-       .meaning = "Simulated time.",
+       .meaning = "How much time is simulated.",
        .binding = field<time_of, &sim::Time::seconds>},
       {.path = "time.fps",
        .kind = Kind::integer,
@@ -56,16 +57,16 @@ std::vector<Key> time_keys() {
       {.path = "time.substeps",
        .kind = Kind::substeps,
        .range = between(1, 1e6),
-       .meaning =
-           "Steps per frame, so that the step is h = 1/(fps substeps). \"auto\", for explicit integrators: as many "
-           "as stability needs.",
+       .meaning = "Steps per frame; a step is h = 1/(fps substeps) long. \"auto\" takes as many as an explicit "
+                  "integrator needs to be stable.",
        .binding = field<time_of, &sim::Time::substeps>},
       {.path = "time.step",
        .kind = Kind::number,
        .unit = "s",
        .range = {.low = 1e-9, .high = 1e6},
        .absent = "from substeps",
-       .meaning = "Instead of substeps: the longest step that may be taken. The longest that divides the frame is.",
+       .meaning = "Instead of substeps: the longest step that is allowed. The longest step below it that divides a "
+                  "frame is taken, and said.",
        .binding = {.get = [](const Document&, const Indices&) { return std::optional<Value>(); }, .set = set_step}},
       {.path = "time.integrator",
        .kind = Kind::choice,
