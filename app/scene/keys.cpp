@@ -33,7 +33,7 @@ std::string choice_text(const std::vector<std::string_view>& choices) {
   return text;
 }
 
-std::string list_text(const Key& key, std::string_view what) {
+std::string list_kind_text(const Key& key, std::string_view what) {
   const auto [least, most] = key.size;
   const std::string count =
       least == most ? std::to_string(most) : std::to_string(least) + " or " + std::to_string(most);
@@ -157,9 +157,9 @@ std::string kind_text(const Key& key) {
     case Kind::axes:
       return "a string of some of x, y, z";
     case Kind::integers:
-      return list_text(key, "integers");
+      return list_kind_text(key, "integers");
     case Kind::numbers:
-      return list_text(key, "numbers");
+      return list_kind_text(key, "numbers");
     case Kind::point:
       return points("a point [x, y, z]", "[x, y]");
     case Kind::direction:

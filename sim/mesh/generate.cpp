@@ -29,7 +29,7 @@ struct Lattice {
 };
 
 template <class Value>
-void refuse(const std::string& key, int axis, Value value, const std::string& right) {
+void refuse_axis(const std::string& key, int axis, Value value, const std::string& right) {
   std::ostringstream message;
   message << key.substr(key.find('.') + 1) << " along " << axis_name[axis] << " is " << value << "; " << right;
   throw InputError(key, message.str());
@@ -39,12 +39,12 @@ void refuse(const std::string& key, int axis, Value value, const std::string& ri
 void check(const Lattice& lattice, int per_cell, int nodes_per_element) {
   double cells = 1;
   for (int a = 0; a < lattice.dimension; ++a) {
-    if (lattice.cells[a] < 1) refuse("mesh.cells", a, lattice.cells[a], "at least 1 is needed");
+    if (lattice.cells[a] < 1) refuse_axis("mesh.cells", a, lattice.cells[a], "at least 1 is needed");
     if (!std::isfinite(lattice.lengths[a]) || lattice.lengths[a] <= 0) {
-      refuse("mesh.size", a, lattice.lengths[a], "a length > 0 m is needed");
+      refuse_axis("mesh.size", a, lattice.lengths[a], "a length > 0 m is needed");
     }
     if (!std::isfinite(lattice.grading[a]) || lattice.grading[a] <= 0) {
-      refuse("mesh.grading", a, lattice.grading[a], "a number > 0 is needed (1: equal cells)");
+      refuse_axis("mesh.grading", a, lattice.grading[a], "a number > 0 is needed (1: equal cells)");
     }
     cells *= lattice.cells[a];
   }
@@ -71,7 +71,8 @@ Eigen::MatrixXd nodes(const Lattice& lattice) {
   for (int a = 0; a < 3; ++a) {
     x[a] = a < d ? planes(lattice.lengths[a], lattice.cells[a], lattice.grading[a]) : Eigen::VectorXd::Zero(1);
     if (a < d && (x[a].tail(lattice.cells[a]) - x[a].head(lattice.cells[a])).minCoeff() <= 0) {
-      refuse("mesh.grading", a, lattice.grading[a], "so many cells vanish with it; take it nearer to 1 or fewer cells");
+      refuse_axis("mesh.grading", a, lattice.grading[a],
+                  "so many cells vanish with it; take it nearer to 1 or fewer cells");
     }
   }
   Eigen::MatrixXd X(d, x[0].size() * x[1].size() * x[2].size());

@@ -73,8 +73,9 @@ TEST(Documents, EveryRelativeLinkLeadsSomewhere) {
       if (path.find("://") != std::string::npos) return;
       const fs::path target = path.empty() ? document : document.parent_path() / path;
       EXPECT_TRUE(fs::exists(target)) << name_of(document) << " links to " << path;
-      if (!anchor.empty() && fs::exists(target))
+      if (!anchor.empty() && fs::exists(target)) {
         EXPECT_TRUE(anchors(target).contains(anchor)) << name_of(document) << " links to " << path << "#" << anchor;
+      }
       ++links;
     });
   }

@@ -6,8 +6,10 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -94,6 +96,38 @@ TEST(House, SimKnowsNeitherRenderNorApp) {
     for (const std::string& included : includes_of(file))
       EXPECT_TRUE(included.starts_with("sim/")) << name << " includes " << included;
   });
+}
+
+// Names that a source file defines for itself alone, in "namespace {" at the beginning of a line.
+std::set<std::string> own_names(const fs::path& file) {
+  static const std::regex definition(
+      R"(^(?:struct|class|enum class) (\w+)|^(?!return|template|using|#|//)[\w\[].*?[\s&*>](\w+)\()");
+  std::set<std::string> names;
+  std::istringstream text(text_of(file));
+  bool own = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line == "namespace {") own = true;
+    if (line == "}  // namespace") own = false;
+    std::smatch found;
+    if (own && std::regex_search(line, found, definition)) names.insert(found[1].matched ? found[1] : found[2]);
+  }
+  return names;
+}
+
+// Files of a folder are compiled together: a function of one must not serve as an overload in another.
+TEST(House, FilesOfAFolderShareNoNamesOfTheirOwn) {
+  for (const std::string house : {"sim", "render", "app"}) {
+    std::map<std::pair<fs::path, std::string>, std::string> owner;
+    for_each_source(house, [&](const std::string& name, const fs::path& file) {
+      if (file.extension() != ".cpp") return;
+      for (const std::string& own : own_names(file)) {
+        if (own == "main") continue;  // of shaders
+        const auto [entry, is_new] = owner.insert({{file.parent_path(), own}, name});
+        EXPECT_TRUE(is_new) << own << " is in " << name << " and in " << entry->second;
+      }
+    });
+    EXPECT_GT(owner.size(), 50u) << house;
+  }
 }
 
 TEST(House, TheTopLevelHasNoOtherEntries) {
