@@ -27,7 +27,7 @@ sim::Scene body(std::string_view scheme, bool flying) {
   scene.time.substeps = integrator.is_explicit() ? 0 : 1;
   // Of one iteration it is that of the linear solve.
   scene.solver.tolerance = integrator.one_iteration ? 1e-14 : 1e-10;
-  scene.solver.on_failure = "accept";
+  scene.solver.on_failure = sim::OnFailure::accept;
   scene.bodies = {body};
   return scene;
 }

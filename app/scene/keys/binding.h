@@ -51,6 +51,11 @@ inline Value to_value(const sim::Sphere& x) {
 inline Value to_value(const sim::Box& x) {
   return std::vector<double>{x.low[0], x.low[1], x.low[2], x.high[0], x.high[1], x.high[2]};
 }
+// An enum of sim/choices.h.
+template <class E>
+requires std::is_enum_v<E> Value to_value(E x) {
+  return std::string(sim::name_of(x));
+}
 
 // Value -> field; the value has been checked against its key.
 inline void from_value(const Value& value, bool& x) {
@@ -94,6 +99,11 @@ inline void from_value(const Value& value, sim::Sphere& x) {
 inline void from_value(const Value& value, sim::Box& x) {
   const auto& n = std::get<std::vector<double>>(value);
   x = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+}
+template <class E>
+requires std::is_enum_v<E>
+void from_value(const Value& value, E& x) {
+  x = std::ranges::find(sim::choices<E>, std::get<std::string>(value), &sim::Choice<E>::name)->value;
 }
 
 template <class T>

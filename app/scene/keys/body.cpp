@@ -42,7 +42,7 @@ std::vector<Key> body_keys() {
        .binding = field<body_of, &sim::Body::thickness>},
       {.path = "body[].mass",
        .kind = Kind::choice,
-       .choices = mass_names,
+       .choices = names_of<sim::MassMatrix>,
        .meaning = "Mass matrix: \"lumped\" on its diagonal, or \"consistent\" with the shape functions.",
        .binding = field<body_of, &sim::Body::mass>},
       {.path = "body[].damping", .kind = Kind::table, .meaning = "Rayleigh damping: f = -(alpha M + beta K) v."},

@@ -23,18 +23,6 @@ std::vector<std::string_view> integrator_names() {
   return all;
 }
 
-std::vector<std::string_view> linear_solver_names() {
-  return {"cholmod", "pcg", "pcg-assembled", "auto"};
-}
-
-std::vector<std::string_view> definiteness_names() {
-  return {"clamp", "abs", "none"};
-}
-
-std::vector<std::string_view> on_failure_names() {
-  return {"split", "accept", "stop"};
-}
-
 std::vector<std::string_view> start_names() {
   std::vector<std::string_view> all;
   for (const sim::StartShape& shape : sim::start_shapes()) all.push_back(shape.name);
@@ -47,10 +35,6 @@ std::vector<std::string_view> material_names() {
 
 std::vector<std::string_view> element_names() {
   return names(sim::Elements{});
-}
-
-std::vector<std::string_view> mass_names() {
-  return {"lumped", "consistent"};
 }
 
 std::vector<std::string_view> colour_names() {

@@ -16,7 +16,7 @@ std::vector<Key> solver_keys() {
       {.path = "solver", .kind = Kind::table, .meaning = "How the equations of an implicit step are solved."},
       {.path = "solver.linear",
        .kind = Kind::choice,
-       .choices = linear_solver_names,
+       .choices = names_of<sim::LinearSolverKind>,
        .meaning = "Linear solver inside Newton's method: \"cholmod\" factorises the matrix, \"pcg\" iterates and forms "
                   "none, \"pcg-assembled\" iterates on it, \"auto\" chooses by size and by counts of iterations.",
        .binding = field<solver_of, &sim::Solver::linear>},
@@ -42,13 +42,13 @@ std::vector<Key> solver_keys() {
        .binding = field<solver_of, &sim::Solver::lag_iterations>},
       {.path = "solver.definiteness",
        .kind = Kind::choice,
-       .choices = definiteness_names,
+       .choices = names_of<sim::Definiteness>,
        .meaning = "What is done to negative eigenvalues of an element's stiffness: \"clamp\" sets them to zero, "
                   "\"abs\" makes them positive, \"none\" keeps them.",
        .binding = field<solver_of, &sim::Solver::definiteness>},
       {.path = "solver.on_failure",
        .kind = Kind::choice,
-       .choices = on_failure_names,
+       .choices = names_of<sim::OnFailure>,
        .meaning = "What happens to a step whose equations are not solved: \"split\" takes it again in halves (16 parts "
                   "at most), \"accept\" goes on with what there is, \"stop\" ends the run.",
        .binding = field<solver_of, &sim::Solver::on_failure>},
