@@ -2,7 +2,7 @@
 
 #include "render/colour_map.h"
 #include "sim/body/start.h"
-#include "sim/element/list.h"
+#include "sim/element/element.h"
 #include "sim/material/list.h"
 #include "sim/time/scheme.h"
 
@@ -34,7 +34,9 @@ std::vector<std::string_view> material_names() {
 }
 
 std::vector<std::string_view> element_names() {
-  return names(sim::Elements{});
+  std::vector<std::string_view> all;
+  for (const sim::ElementInfo& element : sim::elements()) all.push_back(element.name);
+  return all;
 }
 
 std::vector<std::string_view> colour_names() {
