@@ -1,5 +1,6 @@
 #include "app/run/outcome.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -54,6 +55,26 @@ void print_trouble(const Outcome& outcome) {
 }
 
 }  // namespace
+
+bool Outcome::add(const sim::StepReport& report) {
+  stepping += report.seconds;
+  assembling += report.seconds_assemble;
+  solving += report.seconds_solve;
+  if (!report.failure.empty()) {
+    failure = report;
+    return false;
+  }
+  Totals& totals = run.totals;
+  totals.newton += report.newton;
+  totals.linear += report.linear;
+  totals.not_converged += report.converged ? 0 : 1;
+  totals.splits += report.splits;
+  totals.min_J = std::min(totals.min_J, report.min_J);
+  inverted = report.inverted;
+  if (!report.converged && not_converged_reason.empty()) not_converged_reason = report.reason;
+  no_factor = no_factor || report.no_factor;
+  return true;
+}
 
 int conclude(const Simulation& simulation, const Options& options, const RunFolder& folder, const Outcome& outcome) {
   if (!options.quiet) print_trouble(outcome);

@@ -1,6 +1,5 @@
 #include "app/run/run_loop.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -63,32 +62,13 @@ class Runner {
 
   // False when the step could not be taken; the state is then the last good one.
   bool step() {
-    sim::StepReport report = stepper_->step(outcome_.run.state);
-    outcome_.stepping += report.seconds;
-    outcome_.assembling += report.seconds_assemble;
-    outcome_.solving += report.seconds_solve;
-    if (!report.failure.empty()) {
-      outcome_.failure = std::move(report);
-      return false;
-    }
-    add_up(report);
+    const sim::StepReport report = stepper_->step(outcome_.run.state);
+    if (!outcome_.add(report)) return false;
+    progress_.note(note(report, outcome_.run.totals));
     log_.step(state(), report);
     progress_.update(state().step, Progress::Clock::now());
     if (state().step % system_.steps_per_frame() == 0) frame_reached(report);
     return true;
-  }
-
-  void add_up(const sim::StepReport& report) {
-    Totals& totals = outcome_.run.totals;
-    totals.newton += report.newton;
-    totals.linear += report.linear;
-    totals.not_converged += report.converged ? 0 : 1;
-    totals.splits += report.splits;
-    totals.min_J = std::min(totals.min_J, report.min_J);
-    outcome_.inverted = report.inverted;
-    if (!report.converged && outcome_.not_converged_reason.empty()) outcome_.not_converged_reason = report.reason;
-    if (report.no_factor) outcome_.no_factor = true;
-    progress_.note(note(report, totals));
   }
 
   // ", Newton 3 (increment 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
