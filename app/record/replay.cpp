@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "app/base/exit_code.h"
-#include "app/base/hexadecimal.h"
 #include "app/base/interrupt.h"
 #include "app/base/output_file.h"
 #include "app/base/progress.h"
 #include "app/base/stopwatch.h"
+#include "app/base/text.h"
 #include "app/mesh/contents.h"
 #include "app/picture/frame_history.h"
 #include "app/record/recorder.h"

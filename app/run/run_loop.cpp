@@ -1,6 +1,5 @@
 #include "app/run/run_loop.h"
 
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "app/base/output_file.h"
 #include "app/base/progress.h"
 #include "app/base/stopwatch.h"
+#include "app/base/text.h"
 #include "app/picture/frame_history.h"
 #include "app/run/read_energies.h"
 #include "app/run/run_json.h"
@@ -73,11 +73,8 @@ class Runner {
 
   // ", Newton 3 (increment 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
   static std::string note(const sim::StepReport& report, const Totals& totals) {
-    char newton[64] = "";
-    if (report.newton > 0) {
-      std::snprintf(newton, sizeof newton, ", Newton %d (increment %.1g)", report.newton, report.increment);
-    }
-    std::string text = newton;
+    std::string text;
+    if (report.newton > 0) text = formatted(", Newton %d (increment %.1g)", report.newton, report.increment);
     if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " steps not converged";
     if (totals.splits > 0) text += ", " + std::to_string(totals.splits) + " halved";
     return text;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/base/text.h"
 #include "app/scene/value_text.h"
 
 namespace app {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/base/checksum.h"
 #include "app/base/version.h"
 #include "app/picture/view.h"
+#include "sim/math/checksum.h"
 
 namespace app {
 namespace {
@@ -55,7 +55,7 @@ std::uint64_t case_id(const Ground& ground, std::uint64_t scene) {
   for (const std::uint64_t number :
        {ground.scene.identity, scene, std::uint64_t(ground.stretch.last), std::uint64_t(ground.stretch.stride)})
     text += ' ' + std::to_string(number);
-  return checksum(text);
+  return sim::checksum(text);
 }
 
 sim::Trajectory on_screen(const Ground& ground, const sim::Trajectory& path) {

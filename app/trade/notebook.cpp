@@ -1,11 +1,11 @@
 #include "app/trade/notebook.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "app/scene/scene_error.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_identity.h"
@@ -17,12 +17,6 @@ namespace {
 constexpr double kLookShare = 0.02;     // of the time: a first look
 constexpr double kRepeatShare = 0.004;  // of the time: shorter runs are timed three times
 
-std::string file_name(std::uint64_t id) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.run", static_cast<unsigned long long>(id));
-  return name;
-}
-
 }  // namespace
 
 Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
@@ -32,7 +26,7 @@ Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double se
 }
 
 std::filesystem::path Notebook::file(std::uint64_t id) const {
-  return folder_ / file_name(id);
+  return folder_ / (hexadecimal(id) + ".run");
 }
 
 void Notebook::keep(const CaseRun& run) const {
@@ -41,9 +35,7 @@ void Notebook::keep(const CaseRun& run) const {
 
 void Notebook::say(const std::string& line) const {
   if (!out_) return;
-  char clock[48];
-  std::snprintf(clock, sizeof clock, "[%3.0f of %.0f s] ", watch_.seconds(), seconds_);
-  *out_ << clock << line << std::endl;
+  *out_ << formatted("[%3.0f of %.0f s] ", watch_.seconds(), seconds_) << line << std::endl;
 }
 
 CaseRun* Notebook::known(std::uint64_t id) {
@@ -94,9 +86,7 @@ const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
 
 // Says how it went.
 CaseRun Notebook::told(CaseRun run) const {
-  char done[64];
-  std::snprintf(done, sizeof done, "%.3g s per simulated second", run.work.median());
-  say(run.which.label + (run.status == CaseStatus::done     ? std::string(": ") + done
+  say(run.which.label + (run.status == CaseStatus::done ? formatted(": %.3g s per simulated second", run.work.median())
                          : run.status == CaseStatus::failed ? ": failed, " + run.reason
                                                             : ": skipped, " + run.reason));
   return run;

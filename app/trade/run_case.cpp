@@ -1,8 +1,7 @@
 #include "app/trade/run_case.h"
 
-#include <cstdio>
-
 #include "app/base/stopwatch.h"
+#include "app/base/text.h"
 #include "sim/mesh/input_error.h"
 #include "sim/stepper.h"
 #include "sim/time/scheme.h"
@@ -53,18 +52,14 @@ class Pass {
   }
 
   void fail(const sim::StepReport& report, CaseRun& run) {
-    char text[80];
-    std::snprintf(text, sizeof text, "at t = %.3g s: ", system_.time(state_.step + 1));
     run.status = CaseStatus::failed;
-    run.reason = text + report.failure;
+    run.reason = failure_text(system_, report);
     per_simulated_second(run);
   }
 
   void give_up(double whole, CaseRun& run) {
-    char text[80];
-    std::snprintf(text, sizeof text, "would take about %.0f s", whole);
     run.status = CaseStatus::skipped;
-    run.reason = text;
+    run.reason = formatted("would take about %.0f s", whole);
     run.estimate = whole;
   }
 

@@ -35,7 +35,7 @@ class Search {
   void time_axis();
   void raise_floor();
   void mesh_axis();
-  const CaseRun* find_finest(const std::vector<MeshChange>& changes, double seconds);
+  const CaseRun* find_finest(std::vector<MeshChange>& changes, double seconds);
   void judge_meshes(const CaseRun& finest);
   void combine();
   void rest();

@@ -1,27 +1,17 @@
 #include "app/trade/trade.h"
 
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 
 #include "app/base/json.h"
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/trade/advice.h"
 #include "app/trade/table.h"
 
 namespace app {
 namespace {
-
-std::string formatted(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string percent(double share) {
-  return formatted("%.2g", 100 * share) + " %";
-}
 
 // "0.62 % (2.1 px)"
 std::string error_text(const Apart& apart) {
@@ -152,7 +142,7 @@ void Trade::advise(Advice& advice) {
 std::string Trade::advice_text(const Advice& advice) {
   if (!advice.chosen) return "No advice: no error is known.\n";
   const Score& chosen = *advice.chosen;
-  const Score& own = scorer_.score(notebook_.run({"the scene", Axis::scene, {}}, 0));
+  const Score& own = scorer_.score(notebook_.run(scene_case(), 0));
   std::string text = "Advice for " + goal_.text + ": " + chosen.run->which.label + ". ";
   if (!meets(chosen, goal_)) text += "Nothing that was measured is within it; this comes nearest. ";
   text += "Predicted: an error of " + error_text(*whole_error(chosen)) + ", at most " + percent(chosen.bound.rms) +

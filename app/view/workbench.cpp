@@ -1,6 +1,5 @@
 #include "app/view/workbench.h"
 
-#include <cstdio>
 #include <utility>
 
 #include "app/base/output_file.h"
@@ -41,15 +40,6 @@ std::optional<Action> action_of(const WindowEvent& event) {
   if (event.letter == 'P') return Action::screenshot;
   if (event.letter == 'Q') return Action::quit;
   return std::nullopt;
-}
-
-std::string failure_text(const sim::System& system, const sim::StepReport& report) {
-  char where[80];
-  std::snprintf(where, sizeof where, "Step %lld (t = %.6g s) cannot be taken", static_cast<long long>(report.step),
-                system.time(report.step));
-  std::string text = where;
-  if (report.min_J_element >= 0) text += ", element " + std::to_string(report.min_J_element);
-  return text + ": " + report.failure + ". The state is the last good one.";
 }
 
 }  // namespace
@@ -146,7 +136,8 @@ bool Workbench::step() {
   const sim::StepReport report = session_->step();
   if (!report.failure.empty()) {
     playing_ = false;
-    message_ = failure_text(*simulation->system, report);
+    message_ =
+        "A step cannot be taken: " + failure_text(*simulation->system, report) + ". The state is the last good one.";
     return false;
   }
   message_.clear();

@@ -1,6 +1,6 @@
 // The log that a session leaves, and its replay.
 #include "app/base/exit_code.h"
-#include "app/base/hexadecimal.h"
+#include "app/base/text.h"
 #include "app/command/commands.h"
 #include "app/session/session_file.h"
 #include "tests/app/workbench_scene.h"

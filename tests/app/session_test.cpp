@@ -2,7 +2,7 @@
 #include "app/session/session.h"
 
 #include "app/base/exit_code.h"
-#include "app/base/hexadecimal.h"
+#include "app/base/text.h"
 #include "app/command/commands.h"
 #include "app/run/state_file.h"
 #include "app/scene/scene_text.h"
