@@ -19,28 +19,34 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
+// What of an obstacle the bodies may come to: of a plane, where they fall on it.
+Eigen::AlignedBox3d reached(const sim::Plane& plane, const Eigen::AlignedBox3d& bodies, double near_by,
+                            const Vec3& down) {
+  Eigen::AlignedBox3d box;
+  const double along = plane.normal.dot(down);
+  if (!(along < -0.1)) return box;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner = bodies.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    const double fall = plane.normal.dot(plane.point - corner) / along;
+    if (fall > 0 && fall < near_by) box.extend(corner + fall * down);
+  }
+  return box;
+}
+
+Eigen::AlignedBox3d reached(const sim::Sphere& ball, const Eigen::AlignedBox3d& bodies, double near_by, const Vec3&) {
+  const Vec3 reach = Vec3::Constant(ball.radius);
+  if (!(bodies.exteriorDistance(ball.centre) < near_by)) return {};
+  return {ball.centre - reach, ball.centre + reach};
+}
+
 // The bodies at rest and where they will fall: the scene tells both before a step is taken.
 Eigen::AlignedBox3d first_box(const sim::System& system, const sim::Scene& scene) {
   Eigen::AlignedBox3d box = rest_box(system.bodies());
   const Eigen::AlignedBox3d bodies = box;
   const double near_by = 20 * bodies.sizes().norm();
-  for (const sim::Obstacle& obstacle : scene.obstacles) {
-    if (const auto* ball = std::get_if<sim::Sphere>(&obstacle.shape)) {
-      const Vec3 reach = Vec3::Constant(ball->radius);
-      if (bodies.exteriorDistance(ball->centre) < near_by)
-        box.extend(Eigen::AlignedBox3d(ball->centre - reach, ball->centre + reach));
-      continue;
-    }
-    const auto& plane = std::get<sim::Plane>(obstacle.shape);
-    const Vec3 down = scene.world.gravity.normalized();
-    const double along = plane.normal.dot(down);
-    if (!(along < -0.1)) continue;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 corner = bodies.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-      const double fall = plane.normal.dot(plane.point - corner) / along;
-      if (fall > 0 && fall < near_by) box.extend(corner + fall * down);
-    }
-  }
+  const Vec3 down = scene.world.gravity.normalized();
+  for (const sim::Obstacle& obstacle : scene.obstacles)
+    box.extend(std::visit([&](const auto& shape) { return reached(shape, bodies, near_by, down); }, obstacle.shape));
   if (scene.dimension == 2) box.min().z() = box.max().z() = 0;
   return box;
 }
