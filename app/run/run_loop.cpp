@@ -24,7 +24,7 @@ namespace {
 
 class Runner {
  public:
-  Runner(const Simulation& simulation, const Options& options, const RunFolder& folder, const Start& start,
+  Runner(const Simulation& simulation, const Options& options, const RunFolder& folder, const RunStart& start,
          FrameSink& sink, Outcome& outcome)
       : system_(*simulation.system),
         fps_(simulation.document.scene.time.fps),
@@ -132,7 +132,7 @@ class Runner {
 
 }  // namespace
 
-Outcome run_loop(const Simulation& simulation, const Options& options, const RunFolder& folder, const Start& start,
+Outcome run_loop(const Simulation& simulation, const Options& options, const RunFolder& folder, const RunStart& start,
                  FrameSink& sink) {
   const Stopwatch watch;
   make_folder(folder.path());

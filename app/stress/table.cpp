@@ -36,7 +36,7 @@ std::string table_header() {
                    "its/step", "seconds");
 }
 
-std::string table_row(const StressCase& c, const CaseResult& result) {
+std::string table_row(const StabilityCase& c, const CaseResult& result) {
   const std::string row =
       formatted("%-32s %-10s %-18s %-17s %-17s", (c.extreme->group + "/" + c.extreme->name).c_str(),
                 c.subject->element.c_str(), c.subject->material.c_str(), c.subject->scheme.c_str(), verdict_of(result));
@@ -48,7 +48,7 @@ std::string table_row(const StressCase& c, const CaseResult& result) {
                          result.seconds);
 }
 
-std::string table_summary(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results) {
+std::string table_summary(const std::vector<StabilityCase>& cases, const std::vector<CaseResult>& results) {
   std::map<std::string, int> verdicts, reasons;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     ++verdicts[verdict_of(results[k])];
@@ -63,13 +63,13 @@ std::string table_summary(const std::vector<StressCase>& cases, const std::vecto
   return text;
 }
 
-std::string stress_csv(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results) {
+std::string stability_csv(const std::vector<StabilityCase>& cases, const std::vector<CaseResult>& results) {
   std::string csv =
       "extreme,seed,body,material,integrator,verdict,distance,min_J,inverted,wound,steps,not_converged,halved,newton,"
       "linear,"
       "seconds,reason\n";
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const StressCase& c = cases[k];
+    const StabilityCase& c = cases[k];
     const CaseResult& result = results[k];
     const sim::Recovery& r = result.recovery;
     csv += quoted_field(c.extreme->group + "/" + c.extreme->name) + "," + std::to_string(c.seed) + "," +

@@ -42,14 +42,14 @@ std::string csv_line(const Removal& removal) {
 }
 
 // As much of the scene as all runs can be made over in the time.
-void settle_stretch(Ground& ground, Notebook& notebook, std::size_t runs) {
+void settle_stretch(Comparison& comparison, Notebook& notebook, std::size_t runs) {
   constexpr double margin = 2;  // motion is slow at first; some settings are slower than the scene's
   const double look = notebook.first_look(scene_case());
   const double share = notebook.left() / (margin * look * static_cast<double>(runs));
   if (share >= 1) return;
-  const auto frames = static_cast<std::int64_t>(share * static_cast<double>(ground.scene.last_frame()));
-  ground.stretch = stretch_of(ground, std::max<std::int64_t>(frames, 1));
-  std::cout << "note: only the first " << ground.seconds()
+  const auto frames = static_cast<std::int64_t>(share * static_cast<double>(comparison.scene.last_frame()));
+  comparison.stretch = stretch_of(comparison, std::max<std::int64_t>(frames, 1));
+  std::cout << "note: only the first " << comparison.seconds()
             << " s are run: more does not fit into the time (--minutes)\n";
 }
 
@@ -57,17 +57,17 @@ void settle_stretch(Ground& ground, Notebook& notebook, std::size_t runs) {
 
 int ablate(const Options& options) {
   const Interrupt interrupt;
-  Ground ground = make_ground(options);
+  Comparison comparison = make_comparison(options);
   const std::filesystem::path folder = trade_folder(options);
-  Notebook notebook(ground, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
+  Notebook notebook(comparison, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
                     interrupt);
-  const std::vector<TradeCase> cases = without_features(ground.scene.document);
+  const std::vector<TradeCase> cases = without_features(comparison.scene.document);
   std::vector<Removal> removals;
   try {
-    settle_stretch(ground, notebook, cases.size() + 1);
+    settle_stretch(comparison, notebook, cases.size() + 1);
     const CaseRun& whole = notebook.run(scene_case(), notebook.left());
     if (whole.status != CaseStatus::done) throw std::runtime_error(options.scene.string() + ": " + whole.reason);
-    Scorer scorer(ground);
+    Scorer scorer(comparison);
     References references;
     references.check.frames = whole.path.frames();
     scorer.set(references);

@@ -15,8 +15,8 @@ namespace app {
 
 class Search {
  public:
-  // `ground`: its stretch is settled by the plan.
-  Search(Ground& ground, Notebook& notebook, Scorer& scorer, const Goal& goal, std::filesystem::path folder);
+  // `comparison`: its stretch is settled by the plan.
+  Search(Comparison& comparison, Notebook& notebook, Scorer& scorer, const Goal& goal, std::filesystem::path folder);
 
   // With a plan given, nothing is chosen by the clock.
   void go(const std::optional<Plan>& plan);
@@ -41,9 +41,9 @@ class Search {
   void rest();
   void time_front_again();
   void note(const std::string& text);
-  const Document& scene() const { return ground_.scene.document; }
+  const Document& scene() const { return comparison_.scene.document; }
 
-  Ground& ground_;
+  Comparison& comparison_;
   Notebook& notebook_;
   Scorer& scorer_;
   Goal goal_;

@@ -116,7 +116,7 @@ std::string table_text(const std::vector<const Score*>& scores, const References
   return text;
 }
 
-std::string trade_csv(const std::vector<const Score*>& scores, const Ground& ground) {
+std::string trade_csv(const std::vector<const Score*>& scores, const Comparison& comparison) {
   constexpr const char* names[] = {"done", "failed", "skipped"};
   const std::vector<const Score*> members = front_of(scores);
   std::string text(kHeader);
@@ -131,7 +131,7 @@ std::string trade_csv(const std::vector<const Score*>& scores, const Ground& gro
     row.number(score->energy_drift).number(score->momentum_drift).number(score->centre).number(score->mean_energy);
     row.number(work.median()).number(work.least()).number(double(work.seconds.size())).number(work.steps);
     row.number(work.newton).number(work.force_evaluations).number(work.factorisations).number(work.linear);
-    row.number(double(run.not_converged)).number(ground.seconds());
+    row.number(double(run.not_converged)).number(comparison.seconds());
     row.number(std::ranges::find(members, score) != members.end() ? 1 : 0).text(hexadecimal(run.id));
     text += row.line();
   }

@@ -4,7 +4,7 @@
 
 #include "app/base/output_file.h"
 #include "app/base/stopwatch.h"
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 #include "app/scene/scene_text.h"
 #include "app/view/camera_moves.h"
 
@@ -227,9 +227,9 @@ std::optional<std::filesystem::path> Workbench::take_screenshot() {
 
 void Workbench::refresh_picture(double aspect) {
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
-  if (sight_ && shown_ == simulation && aspect == aspect_) return;
+  if (drawn_ && shown_ == simulation && aspect == aspect_) return;
   Picture picture(*simulation->system, simulation->document, aspect);
-  sight_ = std::make_unique<const Sight>(Sight{simulation, std::move(picture), {}});
+  drawn_ = std::make_unique<const ShownScene>(ShownScene{simulation, std::move(picture), {}});
   shown_ = simulation;
   aspect_ = aspect;
   camera_.reset();
@@ -245,7 +245,7 @@ const render::Frame& Workbench::frame(int width, int height) {
                 .min_J = report_.min_J,
                 .report = report_};
   frames_.fill(largest_, moment);
-  frame_ = sight_->picture.frame(moment);
+  frame_ = drawn_->picture.frame(moment);
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
   if (grip && session_->pull()) {

@@ -1,10 +1,10 @@
-#include "app/picture/shot.h"
+#include "app/picture/camera_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 
 namespace app {
 namespace {
@@ -83,7 +83,7 @@ Vec3 turned(const Vec3& arm, const Vec3& up, double turn, double tilt) {
 
 }  // namespace
 
-Shot::Shot(const sim::System& system, const Document& document, double aspect)
+CameraPath::CameraPath(const sim::System& system, const Document& document, double aspect)
     : system_(system), camera_(document.camera), aspect_(aspect), first_(first_box(system, document.scene)) {
   for (const sim::BodyRange& body : system.bodies()) {
     if (!camera_.follow.empty() && body.name == camera_.follow) followed_ = &body;
@@ -91,7 +91,7 @@ Shot::Shot(const sim::System& system, const Document& document, double aspect)
   if (followed_ != nullptr) start_ = middle_of_followed(system.initial_state().x);
 }
 
-Vec3 Shot::middle_of_followed(const Eigen::VectorXd& x) const {
+Vec3 CameraPath::middle_of_followed(const Eigen::VectorXd& x) const {
   const int D = system_.dimension();
   const Eigen::Map<const Eigen::MatrixXd> points(x.data() + std::ptrdiff_t{D} * followed_->first_node, D,
                                                  followed_->node_count);
@@ -100,7 +100,7 @@ Vec3 Shot::middle_of_followed(const Eigen::VectorXd& x) const {
   return middle;
 }
 
-render::Camera Shot::at(const sim::State& state) const {
+render::Camera CameraPath::at(const sim::State& state) const {
   Eigen::AlignedBox3d box = first_;
   if (followed_ == nullptr) {
     const Eigen::AlignedBox3d now = box_of(state.x, system_.dimension());

@@ -1,4 +1,4 @@
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 
 #include <algorithm>
 #include <cmath>
