@@ -1,5 +1,7 @@
 #include "render/draw_data.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cstddef>
 

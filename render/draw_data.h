@@ -2,9 +2,10 @@
 // not in.)
 #pragma once
 
-#include <imgui.h>
-
 #include "render/gl.h"
+
+struct ImDrawData;
+struct ImFontAtlas;
 
 namespace render {
 

@@ -1,6 +1,8 @@
 #include "render/gui.h"
 
 #include "render/imgui_setup.h"
+#include "render/page.h"
+#include "render/strip.h"
 
 namespace render {
 namespace {
@@ -94,6 +96,17 @@ Image Gui::read(int width, int height) const {
 void Gui::use(const std::function<void()>& f) const {
   const InUse in_use(imgui_);
   f();
+}
+
+void plot_widget(const Strip& strip, float text) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high = {low.x + ImGui::GetContentRegionAvail().x, low.y + 6.5F * text};
+  Page page;
+  page.list = ImGui::GetWindowDrawList();
+  page.text = page.bold = ImGui::GetFont();
+  page.size = text;
+  draw_strip(page, strip, low, high);
+  ImGui::Dummy({high.x - low.x, high.y - low.y + 0.3F * text});
 }
 
 }  // namespace render

@@ -1,15 +1,16 @@
 // Widgets of Dear ImGui, beside or over a picture.
 #pragma once
 
-#include <imgui.h>
-
 #include <functional>
 #include <optional>
 
 #include "render/context.h"
 #include "render/draw_data.h"
+#include "render/frame.h"
 #include "render/gl.h"
 #include "render/image.h"
+
+struct ImGuiContext;
 
 namespace render {
 
@@ -52,5 +53,8 @@ class Gui {
   int target_width_ = 0, target_height_ = 0;
   bool settled_ = false;  // sizes that Dear ImGui learns from a first frame are known
 };
+
+// A widget for Gui::draw: a plot, as wide as there is room. text: height of its letters in pixels.
+void plot_widget(const Strip& strip, float text);
 
 }  // namespace render

@@ -20,37 +20,31 @@ Light light_of(const Frame& frame, const View& view);
 // and places are rounded to a grid, so that shadows do not crawl while a body deforms.
 Eigen::Matrix4f light_matrix(const Light& light, const Bounds& casters, int texels);
 
-// One frame's numbers, as the shaders' uniform block has them (std140: only matrices and four-vectors).
+// One frame's numbers, named once for C++ and for the shaders' uniform block (std140: only matrices and four-vectors).
+#define RENDER_FRAME_BLOCK(MATRIX, VECTOR)                                        \
+  MATRIX(world_to_clip)                                                           \
+  MATRIX(clip_to_world)                                                           \
+  MATRIX(world_to_light)                                                          \
+  VECTOR(eye)         /* xyz: eye; w: 1 for a parallel camera, else 0 */          \
+  VECTOR(forward)     /* xyz: unit, along the view; w: visible height there */    \
+  VECTOR(key)         /* xyz: unit, towards the key light */                      \
+  VECTOR(fill)        /* xyz: unit, towards the fill light */                     \
+  VECTOR(up)          /* xyz: unit */                                             \
+  VECTOR(depth_range) /* near, far */                                             \
+  VECTOR(size)        /* picture width, height; those of the visibility buffer */ \
+  VECTOR(texel)       /* 1 over each of size */
+#define RENDER_MATRIX(name) Eigen::Matrix4f name;
+#define RENDER_VECTOR(name) Eigen::Vector4f name;
+#define RENDER_GLSL_MATRIX(name) "mat4 " #name ";\n"
+#define RENDER_GLSL_VECTOR(name) "vec4 " #name ";\n"
+
 struct FrameBlock {
-  Eigen::Matrix4f world_to_clip;
-  Eigen::Matrix4f clip_to_world;
-  Eigen::Matrix4f world_to_light;
-  Eigen::Vector4f eye;          // xyz: eye; w: 1 for a parallel camera, else 0
-  Eigen::Vector4f forward;      // xyz: unit, along the view; w: visible height at the target
-  Eigen::Vector4f key;          // xyz: unit, towards the key light
-  Eigen::Vector4f fill;         // xyz: unit, towards the fill light
-  Eigen::Vector4f up;           // xyz: unit
-  Eigen::Vector4f depth_range;  // near, far
-  Eigen::Vector4f size;         // picture width, height; width, height of the visibility buffer
-  Eigen::Vector4f texel;        // 1 over each of size
+  RENDER_FRAME_BLOCK(RENDER_MATRIX, RENDER_VECTOR)
 };
 
 // The same in GLSL, with what every stage needs of it.
-inline constexpr std::string_view frame_block = R"(
-layout(std140) uniform Frame {
-  mat4 world_to_clip;
-  mat4 clip_to_world;
-  mat4 world_to_light;
-  vec4 eye;
-  vec4 forward;
-  vec4 key;
-  vec4 fill;
-  vec4 up;
-  vec4 depth_range;
-  vec4 size;
-  vec4 texel;
-};
-
+inline constexpr std::string_view frame_block =
+    "layout(std140) uniform Frame {\n" RENDER_FRAME_BLOCK(RENDER_GLSL_MATRIX, RENDER_GLSL_VECTOR) "};\n" R"(
 // Distance along the view from the depth d of a pixel, 0 to 1, and how it grows with d.
 float eye_depth(float d) {
   float n = depth_range.x, f = depth_range.y;

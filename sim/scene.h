@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/choices.h"
 #include "sim/math/vec3.h"
 #include "sim/mesh/mesh.h"
 #include "sim/mesh/region.h"
@@ -23,12 +24,12 @@ struct Time {
 };
 
 struct Solver {
-  std::string linear = "auto";         // "cholmod" | "pcg" (matrix-free) | "pcg-assembled" | "auto"
-  double tolerance = 1e-4;             // body sizes per second: Newton stops when max |dx|/(g h) is below it
-  int max_iterations = 50;             // Newton iterations per stage
-  std::string definiteness = "clamp";  // "clamp" | "abs" | "none"
-  std::string on_failure = "split";    // "split" | "accept" | "stop": a step whose equations are not solved
-  int lag_iterations = 0;              // how often damping and friction are evaluated anew at a stage's solution
+  LinearSolverKind linear = LinearSolverKind::automatic;
+  double tolerance = 1e-4;  // body sizes per second: Newton stops when max |dx|/(g h) is below it
+  int max_iterations = 50;  // Newton iterations per stage
+  Definiteness definiteness = Definiteness::clamp;
+  OnFailure on_failure = OnFailure::split;
+  int lag_iterations = 0;  // how often damping and friction are evaluated anew at a stage's solution
 };
 
 struct World {
@@ -88,7 +89,7 @@ struct Body {
   Mesh mesh;                            // already placed (translate, rotate, scale applied)
   double thickness = 1;                 // m; triangles and quads only
   std::vector<MaterialSpec> materials;  // first: the whole body; later ones override a group
-  std::string mass = "lumped";          // "lumped" | "consistent"
+  MassMatrix mass = MassMatrix::lumped;
   Damping damping;
   std::vector<Pin> pins;
   std::vector<Traction> tractions;

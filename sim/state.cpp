@@ -1,14 +1,13 @@
 #include "sim/state.h"
 
-#include <cstring>
+#include "sim/math/checksum.h"
 
 namespace sim {
 
 std::uint64_t hash(const State& state) {
-  std::uint64_t h = 14695981039346656037ull;
+  std::uint64_t h = empty_checksum;
   const auto mix = [&](const void* data, std::size_t bytes) {
-    const auto* byte = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < bytes; ++i) h = (h ^ byte[i]) * 1099511628211ull;
+    h = checksum({static_cast<const char*>(data), bytes}, h);
   };
   for_each_field(state, [&](const auto& field) {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(field)>>)

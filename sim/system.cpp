@@ -1,6 +1,7 @@
 #include "sim/system.h"
 
 #include <Eigen/Geometry>
+#include <sstream>
 
 #include "sim/build/build.h"
 #include "sim/solve/linear_solver.h"
@@ -133,6 +134,14 @@ Eigen::VectorXd System::node_values(const State& state, Quantity quantity) const
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(parts_->model.node_count), weights = sums;
   for (const ElasticPart& part : parts_->model.elastic) part.term->add_node_values(state.x, quantity, sums, weights);
   return (weights.array() > 0).select(sums.array() / weights.array().max(1e-300), 0.0);
+}
+
+std::string failure_text(const System& system, const StepReport& report) {
+  std::ostringstream text;
+  text << "step " << report.step << ", t = " << system.time(report.step) << " s";
+  if (report.min_J_element >= 0) text << ", element " << report.min_J_element;
+  text << ": " << report.failure;
+  return text.str();
 }
 
 }  // namespace sim

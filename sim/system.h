@@ -48,4 +48,7 @@ class System {
   std::unique_ptr<Parts> parts_;
 };
 
+// Where and why a step could not be taken: "step 12, t = 0.2 s, element 7: the forces are not finite".
+std::string failure_text(const System& system, const StepReport& report);
+
 }  // namespace sim

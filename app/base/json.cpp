@@ -1,10 +1,12 @@
 #include "app/base/json.h"
 
+#include "app/base/text.h"
+
 namespace app {
 
 Json& Json::key(std::string_view name) {
   start_value();
-  append_string(name);
+  text_ += quoted_text(name);
   text_ += ": ";
   after_key_ = true;
   return *this;
@@ -12,7 +14,7 @@ Json& Json::key(std::string_view name) {
 
 Json& Json::value(std::string_view text) {
   start_value();
-  append_string(text);
+  text_ += quoted_text(text);
   return *this;
 }
 
@@ -53,24 +55,6 @@ void Json::start_value() {
   if (!first_) text_ += ',';
   if (depth_ > 0) text_ += '\n' + std::string(2 * static_cast<std::size_t>(depth_), ' ');
   first_ = false;
-}
-
-void Json::append_string(std::string_view text) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  text_ += '"';
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      text_ += {'\\', c};
-    } else if (c == '\n') {
-      text_ += "\\n";
-    } else if (code < 0x20) {
-      text_ += {'\\', 'u', '0', '0', digits[code >> 4], digits[code & 15]};
-    } else {
-      text_ += c;
-    }
-  }
-  text_ += '"';
 }
 
 }  // namespace app

@@ -49,7 +49,6 @@ class Json {
   Json& open(char bracket);
   Json& close(char bracket);
   void start_value();  // comma, line break and indent before a value or a name
-  void append_string(std::string_view text);
 
   std::string text_;
   int depth_ = 0;

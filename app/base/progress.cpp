@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -35,13 +36,7 @@ std::string clock_text(double seconds) {
   const auto hours = static_cast<int>(whole / 3600);
   const auto minutes = static_cast<int>(whole / 60 % 60);
   const auto rest = static_cast<int>(whole % 60);
-  char text[32];
-  if (hours > 0) {
-    std::snprintf(text, sizeof text, "%d:%02d:%02d", hours, minutes, rest);
-  } else {
-    std::snprintf(text, sizeof text, "%d:%02d", minutes, rest);
-  }
-  return text;
+  return hours > 0 ? formatted("%d:%02d:%02d", hours, minutes, rest) : formatted("%d:%02d", minutes, rest);
 }
 
 Progress::Progress(std::ostream& out, ProgressStyle style, const ProgressPlan& plan, Clock::time_point start)
@@ -65,10 +60,9 @@ void Progress::finish(std::int64_t step, Clock::time_point now) {
   if (style_ == ProgressStyle::bar) out_ << "\r\x1b[K";
   const double wall = seconds_between(start_, now);
   const double simulated = static_cast<double>(step - plan_.first_step) * plan_.step_seconds;
-  char line[160];
-  std::snprintf(line, sizeof line, "%lld steps, %.3g s simulated in %.3g s: %.2f times real time",
-                static_cast<long long>(step - plan_.first_step), simulated, wall, wall > 0 ? simulated / wall : 0.0);
-  out_ << line << std::endl;
+  out_ << formatted("%lld steps, %.3g s simulated in %.3g s: %.2f times real time",
+                    static_cast<long long>(step - plan_.first_step), simulated, wall, wall > 0 ? simulated / wall : 0.0)
+       << std::endl;
 }
 
 // "step 120/300, t = 2.00 s, 0.85 times real time, 0:12 left"
@@ -77,10 +71,9 @@ std::string Progress::text(std::int64_t step, Clock::time_point now) const {
   const auto taken = static_cast<double>(std::max<std::int64_t>(step - plan_.first_step, 1));
   const double factor = wall > 0 ? taken * plan_.step_seconds / wall : 0.0;
   const double left = wall / taken * static_cast<double>(plan_.last_step - step);
-  char line[160];
-  std::snprintf(line, sizeof line, "step %lld/%lld, t = %.2f s, %.2f times real time, ", static_cast<long long>(step),
-                static_cast<long long>(plan_.last_step), static_cast<double>(step) * plan_.step_seconds, factor);
-  return line + clock_text(left) + " left" + note_;
+  return formatted("step %lld/%lld, t = %.2f s, %.2f times real time, ", static_cast<long long>(step),
+                   static_cast<long long>(plan_.last_step), static_cast<double>(step) * plan_.step_seconds, factor) +
+         clock_text(left) + " left" + note_;
 }
 
 }  // namespace app

@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <iostream>
 
 #include "app/base/exit_code.h"
+#include "app/base/text.h"
 #include "app/command/commands.h"
 #include "app/scene/key_reference.h"
 #include "app/scene/keys.h"
@@ -9,12 +9,6 @@
 
 namespace app {
 namespace {
-
-std::string formatted(const char* format, double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, number);
-  return text;
-}
 
 std::string bytes_text(double bytes) {
   if (bytes >= 1e9) return formatted("%.1f GB", bytes / 1e9);

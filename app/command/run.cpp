@@ -25,7 +25,7 @@ class NoPictures : public FrameSink {
 int run(const Options& options) {
   const Simulation simulation = build_simulation(options);
   const RunFolder folder = open_run_folder(options);
-  const Start start = make_start(simulation, folder, !options.resume.empty());
+  const RunStart start = make_start(simulation, folder, !options.resume.empty());
   NoPictures nothing(folder);
   const Outcome outcome = run_loop(simulation, options, folder, start, nothing);
   return conclude(simulation, options, folder, outcome);

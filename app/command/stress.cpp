@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::int64_t kLongRun = 100000;  // steps
 
-CaseResult run_case(const StressCase& c, const std::function<bool()>& interrupted) {
+CaseResult run_case(const StabilityCase& c, const std::function<bool()>& interrupted) {
   const Stopwatch watch;
   CaseResult result;
   try {
@@ -37,7 +37,7 @@ CaseResult run_case(const StressCase& c, const std::function<bool()>& interrupte
 // Runs the cases on some threads and prints them in their order, each as soon as those before it are done.
 class Board {
  public:
-  Board(const std::vector<StressCase>& cases, bool quiet)
+  Board(const std::vector<StabilityCase>& cases, bool quiet)
       : cases_(cases), style_(progress_style(quiet)), results_(cases.size()), done_(cases.size()) {}
 
   // The results of the cases that were run: all of them, unless interrupted.
@@ -77,7 +77,7 @@ class Board {
               << ", " << clock_text(left) << " left" << std::flush;
   }
 
-  const std::vector<StressCase>& cases_;
+  const std::vector<StabilityCase>& cases_;
   ProgressStyle style_;
   std::vector<CaseResult> results_;
   std::vector<bool> done_;
@@ -107,7 +107,8 @@ std::filesystem::path csv_path(const Options& options) {
 int stress(const Options& options) {
   const std::vector<Subject> bodies = subjects(options);
   const std::vector<Extreme> rows = extremes();
-  std::vector<StressCase> cases = make_cases(bodies, rows, {options.quick, options.only, options.seed, options.seeds});
+  std::vector<StabilityCase> cases =
+      make_cases(bodies, rows, {options.quick, options.only, options.seed, options.seeds});
   if (cases.empty()) throw std::runtime_error("--only " + options.only + ": no case has this in its name");
   const std::filesystem::path file = csv_path(options);
   Board board(cases, options.quiet);
@@ -116,7 +117,7 @@ int stress(const Options& options) {
   std::cout << table_summary(cases, results);
   if (options.scene.empty() && options.only.empty() && !options.quick && !board.interrupted())
     std::cout << flight_table(fly(kLongRun, options.threads, [&] { return board.interrupted(); }), kLongRun);
-  write_atomically(file, stress_csv(cases, results), false);
+  write_atomically(file, stability_csv(cases, results), false);
   return board.interrupted() ? kInterrupted : kDone;
 }
 

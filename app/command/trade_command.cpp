@@ -13,29 +13,29 @@ namespace app {
 namespace {
 
 // Jobs are planned without a clock, so that every machine lists the same.
-Plan job_plan(const Ground& ground) {
-  return {4, ground.scene.last_frame()};
+Plan job_plan(const Comparison& comparison) {
+  return {4, comparison.scene.last_frame()};
 }
 
-std::vector<TradeCase> jobs_of(const Ground& ground) {
-  return independent_cases(ground.scene.document, job_plan(ground), ground.options.trade.keep_mesh);
+std::vector<TradeCase> jobs_of(const Comparison& comparison) {
+  return independent_cases(comparison.scene.document, job_plan(comparison), comparison.options.trade.keep_mesh);
 }
 
 int list_jobs(const Options& options) {
   int number = 0;
-  for (const TradeCase& which : jobs_of(make_ground(options))) std::cout << number++ << '\t' << which.label << '\n';
+  for (const TradeCase& which : jobs_of(make_comparison(options))) std::cout << number++ << '\t' << which.label << '\n';
   return kDone;
 }
 
 int run_one(const Options& options) {
-  const Ground ground = make_ground(options);
-  const std::vector<TradeCase> jobs = jobs_of(ground);
+  const Comparison comparison = make_comparison(options);
+  const std::vector<TradeCase> jobs = jobs_of(comparison);
   const int number = *options.trade.one_case;
   if (number < 0 || number >= static_cast<int>(jobs.size()))
     throw std::runtime_error("--case " + std::to_string(number) + ": must be 0 to " + std::to_string(jobs.size() - 1) +
                              ", as --jobs lists them");
   const Interrupt interrupt;
-  Notebook notebook(ground, trade_folder(options) / "cases", 1e9, options.quiet ? nullptr : &std::cerr, interrupt);
+  Notebook notebook(comparison, trade_folder(options) / "cases", 1e9, options.quiet ? nullptr : &std::cerr, interrupt);
   try {
     notebook.run(jobs[number], 1e9);
   } catch (const Interrupted&) {
@@ -76,7 +76,7 @@ int interrupted(const std::filesystem::path& folder) {
 int compare(const Options& options) {
   const std::filesystem::path folder = trade_folder(options);
   const Options others = other_options(options);
-  make_ground(others);  // what is wrong with it is said before anything is measured
+  make_comparison(others);  // what is wrong with it is said before anything is measured
   const Interrupt interrupt;
   const auto measured = [&](const Options& which, const char* name) {
     auto trade = std::make_unique<Trade>(which, folder / name, trade_seconds(options.trade) / 2, interrupt);
@@ -110,8 +110,8 @@ int trade(const Options& options) {
   const Interrupt interrupt;
   Trade trade(options, folder, trade_seconds(options.trade), interrupt);
   if (options.trade.collect) {
-    const Ground ground = make_ground(options);
-    trade.collect(job_plan(ground));
+    const Comparison comparison = make_comparison(options);
+    trade.collect(job_plan(comparison));
   } else if (!trade.measure(std::nullopt)) {
     return interrupted(folder);
   }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/mesh/error.h"
+#include "sim/element/element.h"
 
 namespace app {
 
@@ -27,19 +28,17 @@ std::vector<int> keep_used_nodes(sim::Mesh& mesh, std::string_view name, std::ve
 }
 
 void flatten(sim::Mesh& mesh, std::string_view name) {
-  if (mesh.kind == sim::ElementKind::tet4 || mesh.kind == sim::ElementKind::tet10 ||
-      mesh.kind == sim::ElementKind::hex8) {
-    return;
-  }
+  const sim::ElementInfo& element = sim::info(mesh.kind);
+  if (element.dimension == 3) return;
   constexpr double rounding = 1e-12;  // relative to the size of the mesh
   const Eigen::Vector3d extent = mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff();
   if (extent.z() <= rounding * extent.maxCoeff()) {
     mesh.X.conservativeResize(2, Eigen::NoChange);
-  } else if (mesh.kind == sim::ElementKind::quad4) {
+  } else if (!element.membrane) {
     std::ostringstream range;
     range << mesh.X.row(2).minCoeff() << " to " << mesh.X.row(2).maxCoeff();
-    throw FileError(std::string(name) + ": the z of quad4 elements goes from " + range.str() +
-                    "; it should be the same for all (a membrane in space is made of triangles)");
+    throw FileError(std::string(name) + ": the z of " + std::string(element.name) + " elements goes from " +
+                    range.str() + "; it should be the same for all (a membrane in space is made of triangles)");
   }
 }
 

@@ -36,7 +36,7 @@ Eigen::MatrixXi unique_facets(const std::vector<int>& nodes, int facet_nodes) {
 class Groups {
  public:
   Groups(const MshContents& contents, const MshIndex& index, const std::string& name)
-      : contents_(contents), index_(index), name_(name), facet_nodes_(sim::info(*index.body->kind).facet_nodes) {}
+      : contents_(contents), index_(index), name_(name), facet_nodes_(index.body->element->facet_nodes) {}
 
   void gather() {
     std::size_t body_element = 0;

@@ -31,8 +31,9 @@ const MshType& body_type(const MshContents& contents, const std::string& name) {
   }
   if (count.size() > 1) throw FileError(name + ": the body is made of " + kinds + "; it should be of one kind");
   const MshType& type = *count.begin()->first;
-  if (!type.kind) {
-    throw FileError(name + ": the body is made of " + kinds + "; it should be tri3, tri6, quad4, tet4, tet10 or hex8");
+  if (!type.element) {
+    throw FileError(name + ": the body is made of " + kinds + "; it should be " +
+                    sim::element_list([](const sim::ElementInfo&) { return true; }));
   }
   return type;
 }
@@ -45,9 +46,8 @@ Eigen::MatrixXi body_elements(const MshContents& contents, const MshType& type) 
   }
   const auto count = static_cast<Eigen::Index>(nodes.size()) / type.nodes;
   Eigen::MatrixXi elements = Eigen::Map<const Eigen::MatrixXi>(nodes.data(), type.nodes, count);
-  // Gmsh numbers the middles of the last two edges of a tet the other way round: 23 before 13.
-  if (type.kind == sim::ElementKind::tet10) elements.row(8).swap(elements.row(9));
-  return elements;
+  const std::span<const int> order = type.element->gmsh_order;
+  return order.empty() ? elements : Eigen::MatrixXi(elements(order, Eigen::all));
 }
 
 // The groups of each element of the body.
@@ -89,7 +89,7 @@ std::vector<int> merge_repeated(sim::Mesh& mesh, const std::vector<const std::ve
 sim::Mesh make_mesh(const MshContents& contents, const std::string& name, std::vector<std::string>& remarks) {
   const MshType& type = body_type(contents, name);
   sim::Mesh mesh;
-  mesh.kind = *type.kind;
+  mesh.kind = type.element->kind;
   mesh.X = Eigen::Map<const Eigen::MatrixXd>(contents.coordinates.data(), 3,
                                              static_cast<Eigen::Index>(contents.coordinates.size() / 3));
   mesh.elements = body_elements(contents, type);

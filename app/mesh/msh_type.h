@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
-#include "sim/mesh/mesh.h"
+#include "sim/element/element.h"
 
 namespace app {
 
@@ -14,7 +13,7 @@ struct MshType {
   std::string_view name;
   int dimension;
   int nodes;
-  std::optional<sim::ElementKind> kind;  // none: a body cannot be made of it
+  const sim::ElementInfo* element;  // nullptr: a body cannot be made of it
 };
 
 // nullptr for a number that is not in the table (elements of order three and more, among others).

@@ -8,13 +8,25 @@
 #include "app/panel/plots.h"
 #include "app/panel/sections.h"
 #include "app/scene/key_reference.h"
-#include "app/session/effect.h"
 
 namespace app {
 namespace {
 
 const ImVec4 kSoft = {0.36F, 0.39F, 0.43F, 1};
 const ImVec4 kWarning = {0.70F, 0.20F, 0.05F, 1};
+
+const char* effect_text(Effect effect) {
+  switch (effect) {
+    case Effect::look:
+    case Effect::motion:
+      return "Changes at once.";
+    case Effect::start:
+      return "Tells at the next reset.";
+    case Effect::restart:
+      return "Cannot change while bodies move: waits for the restart.";
+  }
+  return "";
+}
 
 void explain(const Key& key, const std::string& path) {
   if (!ImGui::IsItemHovered()) return;
@@ -27,7 +39,7 @@ void explain(const Key& key, const std::string& path) {
   if (const std::string range = key.range.text(); !range.empty()) facts += ", " + range;
   ImGui::TextColored(kSoft, "%s", facts.c_str());
   ImGui::TextColored(kSoft, "default: %s", default_text(key, blank_document()).c_str());
-  ImGui::TextColored(kSoft, "%s", effect_text(effect_of(key)));
+  ImGui::TextColored(kSoft, "%s", effect_text(*key.effect));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

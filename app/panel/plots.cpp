@@ -1,9 +1,6 @@
 #include "app/panel/plots.h"
 
-#include <imgui.h>
-
-#include "render/page.h"
-#include "render/strip.h"
+#include "render/gui.h"
 
 namespace app {
 namespace {
@@ -23,14 +20,7 @@ void draw(const char* title, const char* unit, const std::vector<Line>& lines, c
     render::Series& series = strip.series.emplace_back(render::Series{line.name, {}});
     for (const Sample& sample : samples) series.values.push_back(static_cast<float>(line.value(sample)));
   }
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 high = {low.x + ImGui::GetContentRegionAvail().x, low.y + 6.5F * text};
-  render::Page page;
-  page.list = ImGui::GetWindowDrawList();
-  page.text = page.bold = ImGui::GetFont();
-  page.size = text;
-  draw_strip(page, strip, low, high);
-  ImGui::Dummy({high.x - low.x, high.y - low.y + 0.3F * text});
+  render::plot_widget(strip, text);
 }
 
 }  // namespace

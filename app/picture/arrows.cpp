@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 #include "sim/mesh/boundary.h"
 #include "sim/study/loads.h"
 

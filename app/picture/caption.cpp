@@ -1,18 +1,12 @@
 #include "app/picture/caption.h"
 
-#include <cstdio>
 #include <string_view>
 
+#include "app/base/text.h"
 #include "app/scene/caption_names.h"
 
 namespace app {
 namespace {
-
-std::string formatted(const char* format, double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, number);
-  return text;
-}
 
 std::string text_of(CaptionValue value, const sim::System& system, const Moment& moment) {
   const auto measures = [&] { return system.measure(moment.state); };

@@ -7,7 +7,7 @@
 #include "app/picture/caption.h"
 #include "app/picture/colour_values.h"
 #include "app/picture/energies.h"
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 
 namespace app {
 namespace {
@@ -55,7 +55,7 @@ render::Look look_of(const Look& look, bool plane) {
 }  // namespace
 
 Picture::Picture(const sim::System& system, const Document& document, double aspect)
-    : system_(system), document_(document), shot_(system, document, aspect), arrows_(system, document) {
+    : system_(system), document_(document), camera_path_(system, document, aspect), arrows_(system, document) {
   const Look& look = document.look;
   const bool plane = system.dimension() == 2;
   for (const sim::BodyRange& body : system.bodies()) {
@@ -84,7 +84,7 @@ render::Frame Picture::frame(const Moment& moment) const {
                                               dimension, body.node_count);
     frame.surfaces[i].positions = surfaces_[i].points(x);
   }
-  frame.camera = shot_.at(moment.state);
+  frame.camera = camera_path_.at(moment.state);
   add_values(moment, frame);
   if (look.pins) add_pins(moment.state, frame);
   arrows_.add(moment.state, frame.arrows);

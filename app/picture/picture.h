@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/picture/arrows.h"
+#include "app/picture/camera_path.h"
 #include "app/picture/moment.h"
-#include "app/picture/shot.h"
 #include "app/picture/surface.h"
 #include "app/scene/document.h"
 #include "render/frame.h"
@@ -31,7 +31,7 @@ class Picture {
   const Document& document_;
   std::vector<Surface> surfaces_;  // body by body
   render::Frame still_;            // a frame that lacks what changes
-  Shot shot_;
+  CameraPath camera_path_;
   Arrows arrows_;
   double expected_reach_ = 0;  // of the values that colour bodies
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/element/edge3.h"
+#include "sim/element/element.h"
 #include "sim/element/tri6.h"
 #include "sim/mesh/boundary.h"
 
@@ -15,8 +16,7 @@ namespace {
 
 // Pieces per edge of a quadratic facet: fewer where there are many facets, which then are small on the screen.
 int pieces_per_edge(const sim::Mesh& mesh, Eigen::Index facets) {
-  const bool quadratic = mesh.kind == sim::ElementKind::tri6 || mesh.kind == sim::ElementKind::tet10;
-  if (!quadratic) return 1;
+  if (sim::info(mesh.kind).order == 1) return 1;
   return facets > 2000 ? 2 : 4;
 }
 
@@ -31,11 +31,8 @@ class Surface::Builder {
   void add_facet(std::span<const int> nodes) {
     if (nodes.size() == 4) {
       add_quad(nodes);
-    } else if (nodes.size() == 6) {
-      add_quadratic(nodes);
     } else {
-      const std::array<Line, 3> sides = {line(nodes[0], nodes[1]), line(nodes[1], nodes[2]), line(nodes[2], nodes[0])};
-      add_triangle(sides[0][0], sides[1][0], sides[2][0]);
+      add_lattice(nodes);
     }
   }
 
@@ -95,11 +92,12 @@ class Surface::Builder {
     add_triangle(corner[0], corner[2], corner[3]);
   }
 
-  // Six nodes: a lattice of vertices (i, j), i steps from corner 0 towards 1 and j towards 2.
-  void add_quadratic(std::span<const int> nodes) {
-    const Line side01 = line(nodes[0], nodes[1], nodes[3]);
-    const Line side12 = line(nodes[1], nodes[2], nodes[4]);
-    const Line side02 = line(nodes[0], nodes[2], nodes[5]);
+  // A triangle of three or six nodes: a lattice of vertices (i, j), i steps from corner 0 towards 1 and j towards 2.
+  void add_lattice(std::span<const int> nodes) {
+    const auto middle = [&](std::size_t k) { return nodes.size() == 6 ? nodes[3 + k] : -1; };
+    const Line side01 = line(nodes[0], nodes[1], middle(0));
+    const Line side12 = line(nodes[1], nodes[2], middle(1));
+    const Line side02 = line(nodes[0], nodes[2], middle(2));
     std::vector<Line> lattice(static_cast<std::size_t>(pieces_) + 1);
     for (int i = 0; i <= pieces_; ++i) {
       for (int j = 0; i + j <= pieces_; ++j) {
@@ -116,10 +114,6 @@ class Surface::Builder {
         lattice[static_cast<std::size_t>(i)].push_back(vertex);
       }
     }
-    add_lattice(lattice);
-  }
-
-  void add_lattice(const std::vector<Line>& lattice) {
     for (std::size_t i = 0; i + 1 < lattice.size(); ++i) {
       const Line& row = lattice[i];
       const Line& next = lattice[i + 1];

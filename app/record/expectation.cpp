@@ -1,6 +1,5 @@
 #include "app/record/expectation.h"
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -8,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "render/compare.h"
 #include "render/png.h"
 
@@ -38,13 +38,6 @@ render::Image read_picture(const fs::path& path) {
 
 std::string size_text(const render::Image& image) {
   return std::to_string(image.width) + "x" + std::to_string(image.height);
-}
-
-template <typename... Numbers>
-std::string formatted(const char* format, Numbers... numbers) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
 }
 
 }  // namespace

@@ -56,19 +56,19 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
       still_(options.still),
       expectation_(options.expect.empty() ? std::nullopt : std::optional<Expectation>(std::in_place, options, folder)),
       video_(make_video(*simulation, options)),
-      sight_(make_sight(std::move(simulation), {})),
+      shown_(make_shown(std::move(simulation), {})),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
   if (!video_) make_folder(folder_.frames());
 }
 
-std::shared_ptr<const Sight> Recorder::make_sight(std::shared_ptr<const Simulation> simulation,
-                                                  std::vector<Override> waiting) const {
+std::shared_ptr<const ShownScene> Recorder::make_shown(std::shared_ptr<const Simulation> simulation,
+                                                       std::vector<Override> waiting) const {
   Picture picture(*simulation->system, simulation->document, size_.aspect());
-  return std::make_shared<const Sight>(Sight{std::move(simulation), std::move(picture), std::move(waiting)});
+  return std::make_shared<const ShownScene>(ShownScene{std::move(simulation), std::move(picture), std::move(waiting)});
 }
 
 void Recorder::show(std::shared_ptr<const Simulation> simulation, std::vector<Override> waiting) {
-  sight_ = make_sight(std::move(simulation), std::move(waiting));
+  shown_ = make_shown(std::move(simulation), std::move(waiting));
 }
 
 bool Recorder::is_drawn(std::int64_t frame) const {
@@ -77,7 +77,7 @@ bool Recorder::is_drawn(std::int64_t frame) const {
 
 void Recorder::add(Moment moment, std::string checkpoint) {
   if (size_.panel > 0 && moment.frame > 0) {
-    const Simulation& now = *sight_->simulation;
+    const Simulation& now = *shown_->simulation;
     const double t = static_cast<double>(moment.frame) / now.document.scene.time.fps;
     monitor_.add(sample_of(t, *now.system, moment.state, moment.report));
   }
@@ -86,7 +86,7 @@ void Recorder::add(Moment moment, std::string checkpoint) {
   if (draw) ++frames_drawn_;
   const Stopwatch watch;
   stages_.push(
-      {std::move(moment), draw, std::move(checkpoint), sight_, draw ? monitor_.samples() : std::vector<Sample>()});
+      {std::move(moment), draw, std::move(checkpoint), shown_, draw ? monitor_.samples() : std::vector<Sample>()});
   waiting_ += watch.seconds();
 }
 
@@ -103,9 +103,9 @@ FrameSeconds Recorder::seconds() const {
 }
 
 Recorder::Stages::Draw Recorder::make_draw() const {
-  return [this, easel = std::make_shared<Easel>(size_)](Job job) {
+  return [this, renderer = std::make_shared<FrameRenderer>(size_)](Job job) {
     Drawn drawn{job.moment.frame, std::nullopt, std::move(job.checkpoint)};
-    if (job.draw) drawn.image = easel->draw(*job.sight, job.moment, job.samples);
+    if (job.draw) drawn.image = renderer->draw(*job.shown, job.moment, job.samples);
     return drawn;
   };
 }

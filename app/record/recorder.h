@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/options/options.h"
-#include "app/record/easel.h"
 #include "app/record/expectation.h"
+#include "app/record/frame_renderer.h"
 #include "app/record/pipeline.h"
 #include "app/record/video.h"
 #include "app/run/frame_sink.h"
@@ -38,7 +38,7 @@ class Recorder : public FrameSink {
     Moment moment;
     bool draw = true;
     std::string checkpoint;
-    std::shared_ptr<const Sight> sight;  // shared: the drawing thread may be some frames behind
+    std::shared_ptr<const ShownScene> shown;  // shared: the drawing thread may be some frames behind
     std::vector<Sample> samples;
   };
   struct Drawn {
@@ -49,8 +49,8 @@ class Recorder : public FrameSink {
   using Stages = Pipeline<Job, Drawn>;
 
   bool is_drawn(std::int64_t frame) const;
-  std::shared_ptr<const Sight> make_sight(std::shared_ptr<const Simulation> simulation,
-                                          std::vector<Override> waiting) const;
+  std::shared_ptr<const ShownScene> make_shown(std::shared_ptr<const Simulation> simulation,
+                                               std::vector<Override> waiting) const;
   Stages::Draw make_draw() const;
   void write(const Drawn& drawn);
 
@@ -64,7 +64,7 @@ class Recorder : public FrameSink {
   Monitor monitor_;  // frame by frame, for the panel's plots
   std::optional<Expectation> expectation_;
   std::unique_ptr<Video> video_;
-  std::shared_ptr<const Sight> sight_;
+  std::shared_ptr<const ShownScene> shown_;
   Stages stages_;  // last: its threads use all of the above
 };
 

@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "app/base/exit_code.h"
-#include "app/base/hexadecimal.h"
 #include "app/base/interrupt.h"
 #include "app/base/output_file.h"
 #include "app/base/progress.h"
 #include "app/base/stopwatch.h"
+#include "app/base/text.h"
 #include "app/mesh/contents.h"
 #include "app/picture/frame_history.h"
 #include "app/record/recorder.h"
@@ -57,19 +57,11 @@ class Replayer {
 
  private:
   void step() {
-    sim::StepReport report = session_.step();
-    if (!report.failure.empty()) {
-      outcome_.failure = std::move(report);
+    const sim::StepReport report = session_.step();
+    if (!outcome_.add(report)) {
       outcome_.status = Status::failed;
       return;
     }
-    outcome_.stepping += report.seconds;
-    outcome_.assembling += report.seconds_assemble;
-    outcome_.solving += report.seconds_solve;
-    outcome_.run.totals.newton += report.newton;
-    outcome_.run.totals.linear += report.linear;
-    outcome_.run.totals.not_converged += report.converged ? 0 : 1;
-    outcome_.run.totals.min_J = std::min(outcome_.run.totals.min_J, report.min_J);
     const bool frame = session_.state().step % session_.simulation()->system->steps_per_frame() == 0;
     apply_inputs();
     if (frame) add_frame(report);

@@ -1,8 +1,5 @@
 #include "app/record/video.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,9 +8,11 @@
 #include <cstring>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "app/base/output_file.h"
+#include "app/base/process.h"
 
 namespace app {
 namespace {
@@ -62,26 +61,6 @@ std::vector<std::string> arguments(const std::string& file, const VideoFormat& f
   return list;
 }
 
-// Starts a program with `input` as its standard input and nothing as its output, in a process group of its own so that
-// Ctrl+C does not reach it: it ends by itself when its input does. Returns an errno value.
-int spawn(std::vector<std::string> words, int input, pid_t& process) {
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  const int error = posix_spawnp(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return error;
-}
-
 }  // namespace
 
 std::string video_command(const std::filesystem::path& frames, const std::filesystem::path& file, int fps, int every) {
@@ -113,7 +92,7 @@ void Video::start(const VideoFormat& format) {
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::runtime_error(std::string("cannot start ffmpeg: ") + std::strerror(errno));
   }
-  const int error = spawn(arguments(file_.string(), format), ends[1], process_);
+  const int error = start_process(arguments(file_.string(), format), ends[1], process_);
   ::close(ends[1]);
   if (error == 0) {
     socket_ = ends[0];
@@ -149,11 +128,7 @@ void Video::finish() {
 
 int Video::wait_for_end() {
   ::close(socket_);
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
-  return status;
+  return wait_for_process(std::exchange(process_, -1));
 }
 
 }  // namespace app

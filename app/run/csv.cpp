@@ -5,16 +5,14 @@
 #include <stdexcept>
 
 #include "app/base/number_text.h"
+#include "app/base/text.h"
 
 namespace app {
 namespace {
 
-// RFC 4180: a field with a comma, a quote or a line break is quoted, its quotes doubled.
+// A field with a comma, a quote or a line break is quoted.
 std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
+  return text.find_first_of(",\"\r\n") == std::string::npos ? text : quoted_field(text);
 }
 
 template <typename Number>

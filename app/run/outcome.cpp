@@ -1,23 +1,16 @@
 #include "app/run/outcome.h"
 
-#include <cstdio>
+#include <algorithm>
 #include <iostream>
 
 #include "app/base/exit_code.h"
+#include "app/base/text.h"
 
 namespace app {
 namespace {
 
-// Where and why a step failed: "step 12 (t = 0.2 s), element 7: ...".
-std::string failure_text(const Simulation& simulation, const Outcome& outcome) {
-  if (outcome.failure.failure.empty()) return outcome.error;
-  const std::int64_t step = outcome.run.state.step + 1;
-  char where[80];
-  std::snprintf(where, sizeof where, "step %lld (t = %.6g s)", static_cast<long long>(step),
-                simulation.system->time(step));
-  std::string text = where;
-  if (outcome.failure.min_J_element >= 0) text += ", element " + std::to_string(outcome.failure.min_J_element);
-  return text + ": " + outcome.failure.failure;
+std::string why(const Simulation& simulation, const Outcome& outcome) {
+  return outcome.failure.failure.empty() ? outcome.error : failure_text(*simulation.system, outcome.failure);
 }
 
 // Probes that know what they should show: value, reference and error.
@@ -29,10 +22,9 @@ void print_references(const Simulation& simulation, const Outcome& outcome) {
                should = *document.references[k];
     for (int c = 0; c < simulation.system->dimension(); ++c) {
       if (should[c] == 0) continue;
-      char line[160];
-      std::snprintf(line, sizeof line, "%s.u%c = %.6g m, reference %.6g m, error %.3g %%\n",
-                    document.scene.probes[k].name.c_str(), "xyz"[c], is[c], should[c], 100 * (is[c] / should[c] - 1));
-      std::cout << line;
+      std::cout << formatted("%s.u%c = %.6g m, reference %.6g m, error %.3g %%\n",
+                             document.scene.probes[k].name.c_str(), "xyz"[c], is[c], should[c],
+                             100 * (is[c] / should[c] - 1));
     }
   }
 }
@@ -55,6 +47,26 @@ void print_trouble(const Outcome& outcome) {
 
 }  // namespace
 
+bool Outcome::add(const sim::StepReport& report) {
+  stepping += report.seconds;
+  assembling += report.seconds_assemble;
+  solving += report.seconds_solve;
+  if (!report.failure.empty()) {
+    failure = report;
+    return false;
+  }
+  Totals& totals = run.totals;
+  totals.newton += report.newton;
+  totals.linear += report.linear;
+  totals.not_converged += report.converged ? 0 : 1;
+  totals.splits += report.splits;
+  totals.min_J = std::min(totals.min_J, report.min_J);
+  inverted = report.inverted;
+  if (!report.converged && not_converged_reason.empty()) not_converged_reason = report.reason;
+  no_factor = no_factor || report.no_factor;
+  return true;
+}
+
 int conclude(const Simulation& simulation, const Options& options, const RunFolder& folder, const Outcome& outcome) {
   if (!options.quiet) print_trouble(outcome);
   if (outcome.status == Status::done) {
@@ -67,8 +79,7 @@ int conclude(const Simulation& simulation, const Options& options, const RunFold
               << "; go on with --resume " << folder.path().string() << '\n';
     return kInterrupted;
   }
-  std::cerr << "ritz: " << failure_text(simulation, outcome) << "\n      the last good state is saved in " << saved
-            << '\n';
+  std::cerr << "ritz: " << why(simulation, outcome) << "\n      the last good state is saved in " << saved << '\n';
   return kNumericalFailure;
 }
 

@@ -25,6 +25,9 @@ struct Outcome {
   std::int64_t resumed_step = -1;    // step that the run went on after; -1: none
   // s: taking steps, and of these in matrices and in solvers; building and the whole run
   double stepping = 0, assembling = 0, solving = 0, total = 0;
+
+  // Counts a step. False when it could not be taken: the state is then the last good one.
+  bool add(const sim::StepReport& report);
 };
 
 // The exit code. Says on stderr why a run ended early, and, unless quiet, whether steps did not converge.

@@ -1,12 +1,12 @@
 #include "app/run/run_folder.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
 
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -41,9 +41,7 @@ void RunFolder::clear() const {
 }
 
 std::string RunFolder::numbered(const std::string& start, std::int64_t number, const std::string& end) {
-  char digits[24];
-  std::snprintf(digits, sizeof digits, "%05lld", static_cast<long long>(number));
-  return start + digits + end;
+  return start + formatted("%05lld", static_cast<long long>(number)) + end;
 }
 
 std::vector<fs::path> RunFolder::files_of_a_run() const {

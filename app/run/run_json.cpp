@@ -2,8 +2,8 @@
 
 #include <sys/resource.h>
 
-#include "app/base/hexadecimal.h"
 #include "app/base/json.h"
+#include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/scene/scene_text.h"
 

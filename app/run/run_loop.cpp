@@ -1,7 +1,5 @@
 #include "app/run/run_loop.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,6 +10,7 @@
 #include "app/base/output_file.h"
 #include "app/base/progress.h"
 #include "app/base/stopwatch.h"
+#include "app/base/text.h"
 #include "app/picture/frame_history.h"
 #include "app/run/read_energies.h"
 #include "app/run/run_json.h"
@@ -25,7 +24,7 @@ namespace {
 
 class Runner {
  public:
-  Runner(const Simulation& simulation, const Options& options, const RunFolder& folder, const Start& start,
+  Runner(const Simulation& simulation, const Options& options, const RunFolder& folder, const RunStart& start,
          FrameSink& sink, Outcome& outcome)
       : system_(*simulation.system),
         fps_(simulation.document.scene.time.fps),
@@ -63,41 +62,19 @@ class Runner {
 
   // False when the step could not be taken; the state is then the last good one.
   bool step() {
-    sim::StepReport report = stepper_->step(outcome_.run.state);
-    outcome_.stepping += report.seconds;
-    outcome_.assembling += report.seconds_assemble;
-    outcome_.solving += report.seconds_solve;
-    if (!report.failure.empty()) {
-      outcome_.failure = std::move(report);
-      return false;
-    }
-    add_up(report);
+    const sim::StepReport report = stepper_->step(outcome_.run.state);
+    if (!outcome_.add(report)) return false;
+    progress_.note(note(report, outcome_.run.totals));
     log_.step(state(), report);
     progress_.update(state().step, Progress::Clock::now());
     if (state().step % system_.steps_per_frame() == 0) frame_reached(report);
     return true;
   }
 
-  void add_up(const sim::StepReport& report) {
-    Totals& totals = outcome_.run.totals;
-    totals.newton += report.newton;
-    totals.linear += report.linear;
-    totals.not_converged += report.converged ? 0 : 1;
-    totals.splits += report.splits;
-    totals.min_J = std::min(totals.min_J, report.min_J);
-    outcome_.inverted = report.inverted;
-    if (!report.converged && outcome_.not_converged_reason.empty()) outcome_.not_converged_reason = report.reason;
-    if (report.no_factor) outcome_.no_factor = true;
-    progress_.note(note(report, totals));
-  }
-
   // ", Newton 3 (increment 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
   static std::string note(const sim::StepReport& report, const Totals& totals) {
-    char newton[64] = "";
-    if (report.newton > 0) {
-      std::snprintf(newton, sizeof newton, ", Newton %d (increment %.1g)", report.newton, report.increment);
-    }
-    std::string text = newton;
+    std::string text;
+    if (report.newton > 0) text = formatted(", Newton %d (increment %.1g)", report.newton, report.increment);
     if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " steps not converged";
     if (totals.splits > 0) text += ", " + std::to_string(totals.splits) + " halved";
     return text;
@@ -155,7 +132,7 @@ class Runner {
 
 }  // namespace
 
-Outcome run_loop(const Simulation& simulation, const Options& options, const RunFolder& folder, const Start& start,
+Outcome run_loop(const Simulation& simulation, const Options& options, const RunFolder& folder, const RunStart& start,
                  FrameSink& sink) {
   const Stopwatch watch;
   make_folder(folder.path());

@@ -11,8 +11,8 @@ RunFolder open_run_folder(const Options& options) {
   return RunFolder(folder, options.overwrite ? Existing::overwrite : Existing::refuse);
 }
 
-Start make_start(const Simulation& simulation, const RunFolder& folder, bool resume) {
-  Start start{{simulation.identity, {}, simulation.system->initial_state()}, resume};
+RunStart make_start(const Simulation& simulation, const RunFolder& folder, bool resume) {
+  RunStart start{{simulation.identity, {}, simulation.system->initial_state()}, resume};
   if (!resume) return start;
   const std::string file = folder.state().string();
   SavedRun saved = read_state_file(folder.state());

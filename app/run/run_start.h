@@ -11,13 +11,13 @@ namespace app {
 // The folder that the options name: --resume, -o, or out/NAME of the scene file. Throws as RunFolder does.
 RunFolder open_run_folder(const Options& options);
 
-struct Start {
+struct RunStart {
   SavedRun run;
   bool resumed = false;
 };
 
 // The initial state, or the state that the folder holds. Throws std::runtime_error when that is the state of another
 // scene or lies behind the scene's end.
-Start make_start(const Simulation& simulation, const RunFolder& folder, bool resume);
+RunStart make_start(const Simulation& simulation, const RunFolder& folder, bool resume);
 
 }  // namespace app

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "app/base/checksum.h"
 #include "app/base/output_file.h"
+#include "sim/math/checksum.h"
 
 namespace app {
 namespace {
@@ -121,7 +121,7 @@ std::string encode(const SavedRun& run) {
   put(bytes, run.totals.min_J);
   for (const double value : run.totals.largest) put(bytes, value);
   for_each_field(state, [&](const auto& field) { put_field(bytes, field); });
-  put(bytes, checksum(bytes));
+  put(bytes, sim::checksum(bytes));
   return bytes;
 }
 
@@ -141,7 +141,7 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
   for (double& value : run.totals.largest) value = reader.real();
   for_each_field(run.state, [&](auto& field) { take_field(reader, field); });
   if (reader.left() != kChecksumBytes) reader.fail("has the wrong length");
-  const std::uint64_t expected = checksum(bytes.substr(0, bytes.size() - kChecksumBytes));
+  const std::uint64_t expected = sim::checksum(bytes.substr(0, bytes.size() - kChecksumBytes));
   if (reader.number<std::uint64_t>() != expected) reader.fail("is damaged (wrong checksum)");
   if (!plausible(run.state)) reader.fail("holds numbers that no run leaves");
   return run;

@@ -5,28 +5,10 @@
 
 #include "app/base/base64.h"
 #include "app/base/number_text.h"
+#include "sim/element/element.h"
 
 namespace app {
 namespace {
-
-// VTK's numbers of the cell types; its node orders are those of sim::ElementKind.
-std::uint8_t vtk_cell_type(sim::ElementKind kind) {
-  switch (kind) {
-    case sim::ElementKind::tri3:
-      return 5;
-    case sim::ElementKind::tri6:
-      return 22;
-    case sim::ElementKind::quad4:
-      return 9;
-    case sim::ElementKind::tet4:
-      return 10;
-    case sim::ElementKind::tet10:
-      return 24;
-    case sim::ElementKind::hex8:
-      return 12;
-  }
-  return 0;
-}
 
 std::string escaped(const std::string& text) {
   std::string safe;
@@ -83,7 +65,7 @@ Cells cells_of(const sim::System& system) {
     for (Eigen::Index e = 0; e < elements.cols(); ++e) {
       for (const int node : elements.col(e)) cells.nodes.push_back(body.first_node + node);
       cells.ends.push_back(static_cast<std::int64_t>(cells.nodes.size()));
-      cells.types.push_back(vtk_cell_type(body.mesh->kind));
+      cells.types.push_back(static_cast<std::uint8_t>(sim::info(body.mesh->kind).vtk));
       cells.bodies.push_back(number);
     }
     ++number;

@@ -53,10 +53,7 @@ sim::Mesh generate(const MeshSpec& spec) {
 sim::Mesh as_asked(sim::Mesh mesh, const MeshSpec& spec) {
   const ElementKind asked = spec.element.empty() ? mesh.kind : sim::find_element(spec.element)->kind;
   const std::string held(sim::info(mesh.kind).name);
-  if ((mesh.kind == ElementKind::tri3 && asked == ElementKind::tri6) ||
-      (mesh.kind == ElementKind::tet4 && asked == ElementKind::tet10)) {
-    mesh = sim::to_quadratic(mesh);
-  }
+  if (asked != mesh.kind && sim::info(asked).linear == mesh.kind) mesh = sim::to_quadratic(mesh);
   if (mesh.kind != asked) throw InputError("mesh.element", "the file holds " + held + " elements");
   return mesh;
 }
@@ -97,7 +94,8 @@ sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
 
 void place_mesh(const MeshSpec& spec, int dimension, sim::Mesh& mesh) {
   if (mesh.dimension() < dimension) {
-    if (mesh.kind == ElementKind::quad4) throw InputError("mesh.element", "quad4 is for 2D scenes only");
+    const sim::ElementInfo& element = sim::info(mesh.kind);
+    if (!element.membrane) throw InputError("mesh.element", std::string(element.name) + " is for 2D scenes only");
     mesh.X.conservativeResize(3, Eigen::NoChange);
     mesh.X.row(2).setZero();
   }

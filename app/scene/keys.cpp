@@ -15,14 +15,11 @@ std::vector<Key> make_keys() {
                           load_keys, obstacle_keys, spring_keys, probe_keys, camera_keys, look_keys}) {
     append(table, part());
   }
+  for (Key& key : table) {
+    const auto holder = std::ranges::find(table, parent(key.path), &Key::path);
+    if (!key.effect) key.effect = holder == table.end() ? Effect::motion : holder->effect;
+  }
   return table;
-}
-
-// The number that a name of a path spells, or -1: "12" -> 12.
-int index_of(std::string_view name) {
-  int index = -1;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-  return error == std::errc{} && end == name.data() + name.size() ? index : -1;
 }
 
 std::string choice_text(const std::vector<std::string_view>& choices) {
@@ -33,8 +30,8 @@ std::string choice_text(const std::vector<std::string_view>& choices) {
   return text;
 }
 
-std::string list_kind_text(const Key& key, std::string_view what) {
-  const auto [least, most] = key.size;
+std::string list_kind_text(const Form& form, std::string_view what) {
+  const auto [least, most] = form.size;
   const std::string count =
       least == most ? std::to_string(most) : std::to_string(least) + " or " + std::to_string(most);
   return "a list of " + count + " " + std::string(what);
@@ -80,6 +77,12 @@ std::string Range::text() const {
     append_number(text, high);
   }
   return text;
+}
+
+int index_of(std::string_view name) {
+  int index = -1;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+  return error == std::errc{} && end == name.data() + name.size() ? std::max(index, -1) : -1;
 }
 
 const Key* find_key(std::string_view pattern) {
@@ -130,12 +133,12 @@ std::string_view last_name(std::string_view pattern) {
   return pattern;
 }
 
-std::string kind_text(const Key& key) {
+std::string kind_text(const Form& form) {
   // Points have two numbers in a plane scene, unless the key is of 3D scenes only.
   const auto points = [&](const std::string& space, const std::string& plane) {
-    return key.dimension == 3 ? space : space + ", in 2D " + plane;
+    return form.dimension == 3 ? space : space + ", in 2D " + plane;
   };
-  switch (key.kind) {
+  switch (form.kind) {
     case Kind::table:
       return "a table";
     case Kind::list:
@@ -153,13 +156,13 @@ std::string kind_text(const Key& key) {
     case Kind::name:
       return "a string without comma, quote or line end, not empty";
     case Kind::choice:
-      return choice_text(key.choices());
+      return choice_text(form.choices());
     case Kind::axes:
       return "a string of some of x, y, z";
     case Kind::integers:
-      return list_kind_text(key, "integers");
+      return list_kind_text(form, "integers");
     case Kind::numbers:
-      return list_kind_text(key, "numbers");
+      return list_kind_text(form, "numbers");
     case Kind::point:
       return points("a point [x, y, z]", "[x, y]");
     case Kind::direction:

@@ -59,18 +59,43 @@ struct Binding {
   void (*set)(Document&, const Indices&, const Value&) = nullptr;
 };
 
-struct Key {
-  std::string_view path = {};  // "body[].material.young"; [] marks a list
-  Kind kind = Kind::number;
-  std::string_view unit = {};  // SI; empty: none
-  Range range = {};
+// What a change of a key does to a run that is under way.
+enum class Effect {
+  look,     // only the picture changes
+  motion,   // the run goes on with it
+  start,    // the run goes on; it tells at the next reset
+  restart,  // not while bodies move: it waits for the restart
+};
+
+// What a key accepts and what its value means: Form(Kind::number, "m", above(0)).only_in(3).
+struct Form {
+  Form(Kind kind, std::string_view unit = {}, const Range& range = {}) : kind(kind), unit(unit), range(range) {}
+
+  Form& of(std::vector<std::string_view> (*names)()) { return choices = names, *this; }
+  Form& of_size(int least, int most) { return size = {least, most}, *this; }
+  Form& needed() { return required = true, *this; }
+  Form& only_in(int scene) { return dimension = scene, *this; }
+  Form& otherwise(std::string_view holds) { return absent = holds, *this; }
+  Form& tells(Effect how) { return effect = how, *this; }
+
+  Kind kind;
+  std::string_view unit;  // SI; empty: none
+  Range range;
   std::array<int, 2> size = {2, 3};  // least and greatest length of numbers and integers
   std::vector<std::string_view> (*choices)() = nullptr;
   bool required = false;         // wherever the table that holds it is present
   int dimension = 0;             // 2 or 3: only in such a scene; 0: in both
   std::string_view absent = {};  // what holds without the key, where that is not simply the default value
-  std::string_view meaning = {};
-  Binding binding = {};
+  std::optional<Effect> effect;  // in keys() every key has one: what it does not say is that of the table that holds it
+};
+
+struct Key : Form {
+  Key(std::string_view path, const Form& form, const Binding& binding, std::string_view meaning)
+      : Form(form), path(path), binding(binding), meaning(meaning) {}
+
+  std::string_view path;  // "body[].material.young"; [] marks a list
+  Binding binding;
+  std::string_view meaning;
 };
 
 // Keys of which one table may hold one at most, or must hold exactly one.
@@ -90,6 +115,9 @@ const Key* find_key(std::string_view pattern);
 // The entry and the indices of a path such as "body.0.name"; nullptr when there is none.
 const Key* find_key_at(std::string_view path, Indices& indices);
 
+// The number that a name of a path spells, or -1: "12" -> 12.
+int index_of(std::string_view name);
+
 // The path that a pattern has at these indices: "body[].name", {2} -> "body.2.name".
 std::string path_at(std::string_view pattern, const Indices& indices);
 
@@ -98,8 +126,8 @@ std::string_view parent(std::string_view pattern);
 // The last name: "name"; of a list without its [].
 std::string_view last_name(std::string_view pattern);
 
-// "a number", "one of \"lumped\", \"consistent\"": what a value of this key is.
-std::string kind_text(const Key& key);
+// "a number", "one of \"lumped\", \"consistent\"": what a value of this form is.
+std::string kind_text(const Form& form);
 
 // A document with one entry in every list: what the defaults are read from.
 Document blank_document();

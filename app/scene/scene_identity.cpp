@@ -1,7 +1,7 @@
 #include "app/scene/scene_identity.h"
 
-#include "app/base/checksum.h"
 #include "app/scene/scene_text.h"
+#include "sim/math/checksum.h"
 
 namespace app {
 namespace {
@@ -9,14 +9,14 @@ namespace {
 template <typename Matrix>
 std::uint64_t checksum_of(const Matrix& matrix, std::uint64_t before) {
   const auto bytes = static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar);
-  return checksum({reinterpret_cast<const char*>(matrix.data()), bytes}, before);
+  return sim::checksum({reinterpret_cast<const char*>(matrix.data()), bytes}, before);
 }
 
 // The nodes and elements themselves: a mesh file may change while its name stays.
 std::uint64_t checksum_of_mesh(const sim::Mesh& mesh, std::uint64_t before) {
   std::uint64_t sum = checksum_of(mesh.elements, checksum_of(mesh.X, before));
   for (const sim::Group& group : mesh.groups) {
-    sum = checksum(group.name, sum);
+    sum = sim::checksum(group.name, sum);
     for (const std::vector<int>* list : {&group.nodes, &group.elements}) {
       sum = checksum_of(Eigen::Map<const Eigen::VectorXi>(list->data(), static_cast<Eigen::Index>(list->size())), sum);
     }
@@ -34,7 +34,7 @@ std::uint64_t scene_identity(const Document& document) {
   simulated.look = {};
   simulated.scene.time.seconds = sim::Time{}.seconds;
   for (MeshSpec& mesh : simulated.meshes) mesh.file = mesh.file.filename();  // it may lie elsewhere and be the same
-  std::uint64_t sum = checksum(scene_json(simulated, {}));
+  std::uint64_t sum = sim::checksum(scene_json(simulated, {}));
   for (const sim::Body& body : document.scene.bodies) sum = checksum_of_mesh(body.mesh, sum);
   return sum;
 }

@@ -1,6 +1,5 @@
 #include "app/scene/scene_items.h"
 
-#include <charconv>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -88,9 +87,8 @@ void Reader::refuse_name(const Cursor& at, std::string_view name, const toml::so
 }
 
 int Reader::index(const Cursor& list, std::string_view name, const toml::source_region& source) const {
-  int index = -1;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-  if (error != std::errc{} || end != name.data() + name.size() || index < 0) {
+  const int index = index_of(name);
+  if (index < 0) {
     throw SceneError(place(source).where + ": '" + joined(list.path, name) + "': " + list.path +
                      " is a list: its entries are numbered from 0, as in '" + list.path + ".0'");
   }
@@ -201,26 +199,21 @@ Layer read_layer(const std::filesystem::path& file) {
 }
 
 Layer read_layer(std::string_view text, const std::string& name) {
-  try {
-    const toml::table table = toml::parse(text, name);
-    Reader reader(name, false);
-    reader.read_entries({}, table);
-    return reader.take();
-  } catch (const toml::parse_error& error) {
-    throw SceneError(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
-  }
+  Reader reader(name, false);
+  reader.read_entries({}, parsed(text, name));
+  return reader.take();
 }
 
 Layer read_layer(const Override& override) {
-  toml::table parsed;
+  toml::table table;
   try {
-    parsed = toml::parse("value = " + override.value);
+    table = toml::parse("value = " + override.value);
   } catch (const toml::parse_error&) {
     // Not TOML: a bare string, as in --set time.integrator=backward-euler.
   }
-  if (parsed.size() != 1 || !parsed.contains("value")) parsed = toml::table{{"value", override.value}};
+  if (table.size() != 1 || !table.contains("value")) table = toml::table{{"value", override.value}};
   Reader reader(override.origin, true);
-  reader.read_path(override.key, *parsed.get("value"));
+  reader.read_path(override.key, *table.get("value"));
   return reader.take();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/base/text.h"
 #include "app/scene/key_positions.h"
 #include "app/scene/value_text.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/base/text.h"
 #include "app/scene/value_text.h"
 
 namespace app {
@@ -13,69 +14,69 @@ namespace {
   throw std::invalid_argument("must be " + right);
 }
 
-double number(const toml::node& node, const Key& key) {
-  if (!node.is_number()) refuse(kind_text(key));
+double number(const toml::node& node, const Form& form) {
+  if (!node.is_number()) refuse(kind_text(form));
   const double x = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
   if (!std::isfinite(x)) refuse("finite");
-  if (!key.range.contains(x)) refuse(key.range.text());
+  if (!form.range.contains(x)) refuse(form.range.text());
   return x;
 }
 
-std::int64_t integer(const toml::node& node, const Key& key) {
-  if (!node.is_integer()) refuse(kind_text(key));
-  number(node, key);
+std::int64_t integer(const toml::node& node, const Form& form) {
+  if (!node.is_integer()) refuse(kind_text(form));
+  number(node, form);
   return *node.value<std::int64_t>();
 }
 
-std::string text(const toml::node& node, const Key& key) {
-  if (!node.is_string()) refuse(kind_text(key));
+std::string text(const toml::node& node, const Form& form) {
+  if (!node.is_string()) refuse(kind_text(form));
   return *node.value<std::string>();
 }
 
-std::string name(const toml::node& node, const Key& key) {
-  const std::string given = text(node, key);
+std::string name(const toml::node& node, const Form& form) {
+  const std::string given = text(node, form);
   const auto bad = [](unsigned char c) { return c == ',' || c == '"' || c < 0x20 || c == 0x7F; };
-  if (given.empty() || std::ranges::any_of(given, bad)) refuse(kind_text(key));
+  if (given.empty() || std::ranges::any_of(given, bad)) refuse(kind_text(form));
   return given;
 }
 
-std::string choice(const toml::node& node, const Key& key) {
-  const std::string given = text(node, key);
-  const std::vector<std::string_view> choices = key.choices();
-  if (std::ranges::find(choices, given) == choices.end()) refuse(kind_text(key));
+std::string choice(const toml::node& node, const Form& form) {
+  const std::string given = text(node, form);
+  const std::vector<std::string_view> choices = form.choices();
+  if (std::ranges::find(choices, given) == choices.end()) refuse(kind_text(form));
   return given;
 }
 
-std::string axes(const toml::node& node, const Key& key) {
-  const std::string given = text(node, key);
+std::string axes(const toml::node& node, const Form& form) {
+  const std::string given = text(node, form);
   for (const char c : given) {
     if (std::string_view("xyz").find(c) == std::string_view::npos || std::ranges::count(given, c) > 1) {
-      refuse(kind_text(key));
+      refuse(kind_text(form));
     }
   }
-  if (given.empty()) refuse(kind_text(key));
+  if (given.empty()) refuse(kind_text(form));
   return given;
 }
 
 // The entries of an array of least <= length <= most.
-const toml::array& entries(const toml::node& node, const Key& key, std::size_t least, std::size_t most) {
+const toml::array& entries(const toml::node& node, const Form& form, std::size_t least, std::size_t most) {
   const toml::array* array = node.as_array();
-  if (!array || array->size() < least || array->size() > most) refuse(kind_text(key));
+  if (!array || array->size() < least || array->size() > most) refuse(kind_text(form));
   return *array;
 }
 
-std::vector<double> numbers(const toml::node& node, const Key& key, int least, int most) {
+std::vector<double> numbers(const toml::node& node, const Form& form, int least, int most) {
   std::vector<double> list;
-  for (const toml::node& entry : entries(node, key, least, most)) {
-    if (key.kind == Kind::integers && !entry.is_integer()) refuse(kind_text(key));
-    list.push_back(number(entry, key));
+  for (const toml::node& entry : entries(node, form, least, most)) {
+    if (form.kind == Kind::integers && !entry.is_integer()) refuse(kind_text(form));
+    list.push_back(number(entry, form));
   }
   return list;
 }
 
 // Two or three numbers; three are returned. `dimension` is how many there were, which must agree if it is known.
-std::vector<double> point(const toml::node& node, const Key& key, int& dimension) {
-  std::vector<double> x = numbers(node, key, 2, 3);
+std::vector<double> point(const toml::node& node, const Form& form, int& dimension) {
+  std::vector<double> x = numbers(node, form, 2, 3);
   const int size = static_cast<int>(x.size());
   if (dimension != 0 && size != dimension) refuse("points of the same number of coordinates");
   dimension = size;
@@ -93,10 +94,10 @@ std::vector<double> unit(std::vector<double> x) {
   return x;
 }
 
-std::vector<double> box(const toml::node& node, const Key& key, int& dimension) {
-  const toml::array& corners = entries(node, key, 2, 2);
-  std::vector<double> low = point(corners[0], key, dimension);
-  const std::vector<double> high = point(corners[1], key, dimension);
+std::vector<double> box(const toml::node& node, const Form& form, int& dimension) {
+  const toml::array& corners = entries(node, form, 2, 2);
+  std::vector<double> low = point(corners[0], form, dimension);
+  const std::vector<double> high = point(corners[1], form, dimension);
   for (int i = 0; i < 3; ++i) {
     if (low[i] > high[i]) refuse("[low, high] with no coordinate of low above that of high");
   }
@@ -104,10 +105,10 @@ std::vector<double> box(const toml::node& node, const Key& key, int& dimension) 
   return low;
 }
 
-std::vector<double> ball(const toml::node& node, const Key& key, int& dimension) {
-  const toml::array& parts = entries(node, key, 2, 2);
-  std::vector<double> numbers = point(parts[0], key, dimension);
-  numbers.push_back(number(parts[1], key));
+std::vector<double> ball(const toml::node& node, const Form& form, int& dimension) {
+  const toml::array& parts = entries(node, form, 2, 2);
+  std::vector<double> numbers = point(parts[0], form, dimension);
+  numbers.push_back(number(parts[1], form));
   if (numbers.back() <= 0) refuse("[centre, radius] with a radius > 0");
   return numbers;
 }
@@ -133,56 +134,56 @@ std::string node_literal(const toml::node& node) {
   return "a date or time";
 }
 
-ScannedValue scan_value(const Key& key, const toml::node& node) {
+ScannedValue scan_value(const Form& form, const toml::node& node) {
   ScannedValue scan;
-  switch (key.kind) {
+  switch (form.kind) {
     case Kind::boolean:
-      if (!node.is_boolean()) refuse(kind_text(key));
+      if (!node.is_boolean()) refuse(kind_text(form));
       scan.value = *node.value<bool>();
       break;
     case Kind::integer:
-      scan.value = integer(node, key);
+      scan.value = integer(node, form);
       break;
     case Kind::substeps:
-      scan.value = node.is_string() && text(node, key) == "auto" ? std::int64_t{0} : integer(node, key);
+      scan.value = node.is_string() && text(node, form) == "auto" ? std::int64_t{0} : integer(node, form);
       break;
     case Kind::number:
-      scan.value = number(node, key);
+      scan.value = number(node, form);
       break;
     case Kind::text:
-      scan.value = text(node, key);
+      scan.value = text(node, form);
       break;
     case Kind::name:
-      scan.value = name(node, key);
+      scan.value = name(node, form);
       break;
     case Kind::choice:
-      scan.value = choice(node, key);
+      scan.value = choice(node, form);
       break;
     case Kind::axes:
-      scan.value = axes(node, key);
+      scan.value = axes(node, form);
       break;
     case Kind::integers:
     case Kind::numbers:
-      scan.value = numbers(node, key, key.size[0], key.size[1]);
+      scan.value = numbers(node, form, form.size[0], form.size[1]);
       break;
     case Kind::point:
-      scan.value = point(node, key, scan.dimension);
+      scan.value = point(node, form, scan.dimension);
       break;
     case Kind::direction:
-      scan.value = unit(point(node, key, scan.dimension));
+      scan.value = unit(point(node, form, scan.dimension));
       break;
     case Kind::axis:
-      scan.value = unit(numbers(node, key, 3, 3));
+      scan.value = unit(numbers(node, form, 3, 3));
       break;
     case Kind::box:
-      scan.value = box(node, key, scan.dimension);
+      scan.value = box(node, form, scan.dimension);
       break;
     case Kind::ball:
-      scan.value = ball(node, key, scan.dimension);
+      scan.value = ball(node, form, scan.dimension);
       break;
     case Kind::table:
     case Kind::list:
-      refuse(kind_text(key));
+      refuse(kind_text(form));
   }
   return scan;
 }
@@ -192,6 +193,14 @@ std::string node_text(const toml::node& node) {
   std::string text = node_literal(node);
   if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text;
+}
+
+toml::table parsed(std::string_view text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    throw SceneError(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+  }
 }
 
 }  // namespace app

@@ -1,8 +1,7 @@
 #include "app/scene/value_text.h"
 
-#include <cstdio>
-
 #include "app/base/number_text.h"
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -36,22 +35,6 @@ std::string number_literal(double x) {
   std::string text;
   append_number(text, x);
   return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
-}
-
-std::string quoted_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result.append(1, '\\').append(1, c);
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04X", static_cast<unsigned>(c));
-      result += escape;
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
 }
 
 std::string value_text(const Key& key, const Value& value, int dimension) {

@@ -11,9 +11,6 @@ namespace app {
 // The shortest digits that read back as the same number, always as a float: "2.0", "1e+06".
 std::string number_literal(double x);
 
-// In quotes, with what cannot stand between them escaped.
-std::string quoted_text(std::string_view text);
-
 // `dimension`: how many numbers a point has.
 std::string value_text(const Key& key, const Value& value, int dimension);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scene/scene_error.h"
+#include "sim/element/element.h"
 
 namespace app {
 
@@ -14,9 +15,7 @@ sim::Spring spring_of_pull(const sim::Scene& scene, const Pull& pull) {
   const double length = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).maxCoeff();
   double young = 0;
   for (const sim::MaterialSpec& material : body->materials) young = std::max(young, material.young);
-  const bool thin = body->mesh.kind == sim::ElementKind::tri3 || body->mesh.kind == sim::ElementKind::tri6 ||
-                    body->mesh.kind == sim::ElementKind::quad4;
-  const double width = thin ? body->thickness : length;
+  const double width = sim::info(body->mesh.kind).dimension == 2 ? body->thickness : length;
   return {pull.body, pull.at, pull.target, 0.2 * young * width};
 }
 

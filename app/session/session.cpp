@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/scene/value_text.h"
-#include "app/session/effect.h"
 #include "app/session/pull.h"
 #include "sim/stepper.h"
 
@@ -84,7 +83,7 @@ sim::StepReport Session::step() {
 
 void Session::handle(const SetKey& input) {
   const Override added = override_of(input.key, input.value);
-  const Effect effect = effect_of(key_at(input.key));
+  const Effect effect = *key_at(input.key).effect;
   if (effect == Effect::restart) {
     std::vector<Override> waiting = with(waiting_, added), all = overrides_;
     for (const Override& each : waiting) all = with(std::move(all), each);

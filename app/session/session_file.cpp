@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <initializer_list>
 
 #include "app/base/nearest.h"
@@ -35,29 +34,26 @@ class Table {
     if (node == nullptr) refuse(table_.source(), "'" + std::string(key) + "' is missing");
     return *node;
   }
-  std::string text(std::string_view key) const {
-    if (!node(key).is_string()) wrong(key, "a string");
-    return *node(key).value<std::string>();
+  template <class T>
+  T value(std::string_view key, const Form& form) const {
+    try {
+      return std::get<T>(scan_value(form, node(key)).value);
+    } catch (const std::invalid_argument& error) {
+      wrong(key, error.what());
+    }
   }
+  std::string text(std::string_view key) const { return value<std::string>(key, Kind::text); }
   std::int64_t count(std::string_view key) const {
-    if (!node(key).is_integer() || *node(key).value<std::int64_t>() < 0) wrong(key, "an integer >= 0");
-    return *node(key).value<std::int64_t>();
+    return value<std::int64_t>(key, Form(Kind::integer, "", {.low = 0}));
   }
-  double number(std::string_view key) const { return number(node(key), key); }
-  // Two or three numbers.
-  sim::Vec3 point(std::string_view key) const {
-    const toml::array* array = node(key).as_array();
-    if (array == nullptr || array->size() < 2 || array->size() > 3) wrong(key, "[x, y, z], in 2D [x, y]");
-    sim::Vec3 x = sim::Vec3::Zero();
-    for (std::size_t i = 0; i < array->size(); ++i) x[static_cast<Eigen::Index>(i)] = number((*array)[i], key);
-    return x;
-  }
+  double number(std::string_view key) const { return value<double>(key, Kind::number); }
+  sim::Vec3 point(std::string_view key) const { return sim::Vec3(value<std::vector<double>>(key, Kind::point).data()); }
   const toml::array& array(std::string_view key) const {
-    if (node(key).as_array() == nullptr) wrong(key, "a list");
+    if (node(key).as_array() == nullptr) wrong(key, "must be a list");
     return *node(key).as_array();
   }
   const toml::table& table(std::string_view key) const {
-    if (node(key).as_table() == nullptr) wrong(key, "a table");
+    if (node(key).as_table() == nullptr) wrong(key, "must be a table");
     return *node(key).as_table();
   }
 
@@ -72,12 +68,8 @@ class Table {
   }
 
  private:
-  [[noreturn]] void wrong(std::string_view key, const std::string& right) const {
-    refuse(node(key).source(), std::string(key) + " = " + node_text(node(key)) + ": must be " + right);
-  }
-  double number(const toml::node& node, std::string_view key) const {
-    if (!node.is_number() || !std::isfinite(*node.value<double>())) wrong(key, "finite");
-    return *node.value<double>();
+  [[noreturn]] void wrong(std::string_view key, const std::string& why) const {
+    refuse(node(key).source(), std::string(key) + " = " + node_text(node(key)) + ": " + why);
   }
 
   const toml::table& table_;
@@ -128,13 +120,13 @@ constexpr std::array<Reading, 8> kReadings = {{{"set", read_set},
                                                {"restart", read_plain<Restart>}}};
 
 Input read_input(const Table& table) {
-  const std::string what = table.text("do");
-  std::string names;
-  for (const Reading& reading : kReadings) {
-    if (reading.name == what) return reading.read(table);
-    names.append(names.empty() ? "" : ", ").append(reading.name);
-  }
-  table.refuse(table.node("do").source(), "do = \"" + what + "\": must be one of " + names);
+  const auto names = [] {
+    std::vector<std::string_view> all;
+    for (const Reading& reading : kReadings) all.push_back(reading.name);
+    return all;
+  };
+  const auto what = table.value<std::string>("do", Form(Kind::choice).of(names));
+  return std::ranges::find(kReadings, what, &Reading::name)->read(table);
 }
 
 void read_inputs(const Table& root, const std::string& file, SessionFile& session) {
@@ -175,15 +167,13 @@ void read_set_options(const Table& root, SessionFile& session) {
 
 SessionFile read_session(const std::filesystem::path& path) {
   const std::string file = path.string();
-  toml::table parsed;
+  toml::table contents;
   try {
-    parsed = toml::parse(read_contents(path), file);
+    contents = parsed(read_contents(path), file);
   } catch (const FileError& error) {
     throw SceneError(error.what());
-  } catch (const toml::parse_error& error) {
-    throw SceneError(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
   }
-  const Table root(parsed, file);
+  const Table root(contents, file);
   root.allow({"scene", "settings", "set", "input", "end"});
   SessionFile session;
   root.text("scene");

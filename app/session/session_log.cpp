@@ -1,6 +1,6 @@
 #include "app/session/session_log.h"
 
-#include "app/base/hexadecimal.h"
+#include "app/base/text.h"
 #include "app/scene/value_text.h"
 
 namespace app {

@@ -51,12 +51,12 @@ std::int64_t step_count(const sim::Scene& scene, bool patient) {
 
 }  // namespace
 
-std::string StressCase::name() const {
+std::string StabilityCase::name() const {
   return extreme->group + "/" + extreme->name + " " + subject->element + " " + subject->material + " " +
          subject->scheme;
 }
 
-sim::Scene StressCase::scene() const {
+sim::Scene StabilityCase::scene() const {
   sim::Scene scene = subject->scene;
   scene.seed = seed;
   extreme->change(scene);
@@ -71,12 +71,12 @@ std::vector<Extreme> extremes() {
   return all;
 }
 
-std::vector<StressCase> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
-                                   const Choice& choice) {
-  std::vector<StressCase> cases;
+std::vector<StabilityCase> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
+                                      const Choice& choice) {
+  std::vector<StabilityCase> cases;
   for (const Extreme& extreme : extremes)
     for (const Subject& subject : subjects) {
-      StressCase c{&subject, &extreme, choice.seed, 0};
+      StabilityCase c{&subject, &extreme, choice.seed, 0};
       if (!has_meaning(subject, extreme) || !is_in_matrix(subject, extreme)) continue;
       if (choice.quick && !is_quick(subject, extreme)) continue;
       if (!choice.only.empty() && fnmatch(("*" + choice.only + "*").c_str(), c.name().c_str(), 0) != 0) continue;

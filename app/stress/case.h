@@ -1,4 +1,4 @@
-// The matrix of `ritz stress`: subjects (a body with its material, scheme and solver) times extremes.
+// The matrix of stability, `ritz stress`: subjects (a body with its material, scheme and solver) times extremes.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ struct Extreme {
 };
 
 // One run.
-struct StressCase {
+struct StabilityCase {
   const Subject* subject;
   const Extreme* extreme;
   std::uint64_t seed;
@@ -52,7 +52,7 @@ struct Choice {
 };
 
 // Every combination that means something and is chosen. Subjects and extremes must outlive the cases.
-std::vector<StressCase> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
-                                   const Choice& choice);
+std::vector<StabilityCase> make_cases(const std::vector<Subject>& subjects, const std::vector<Extreme>& extremes,
+                                      const Choice& choice);
 
 }  // namespace app

@@ -1,9 +1,9 @@
 #include "app/stress/flight.h"
 
 #include <atomic>
-#include <cstdio>
 #include <thread>
 
+#include "app/base/text.h"
 #include "sim/mesh/generate.h"
 #include "sim/time/scheme.h"
 
@@ -27,7 +27,7 @@ sim::Scene body(std::string_view scheme, bool flying) {
   scene.time.substeps = integrator.is_explicit() ? 0 : 1;
   // Of one iteration it is that of the linear solve.
   scene.solver.tolerance = integrator.one_iteration ? 1e-14 : 1e-10;
-  scene.solver.on_failure = "accept";
+  scene.solver.on_failure = sim::OnFailure::accept;
   scene.bodies = {body};
   return scene;
 }
@@ -52,15 +52,12 @@ std::vector<Flight> fly(std::int64_t steps, int threads, const std::function<boo
 }
 
 std::string flight_table(const std::vector<Flight>& flights, std::int64_t steps) {
-  char line[160];
-  std::snprintf(line, sizeof line,
-                "%lld steps of a body in free flight, and of one at rest\n%-20s %10s %10s %10s %12s\n",
+  std::string table =
+      formatted("%lld steps of a body in free flight, and of one at rest\n%-20s %10s %10s %10s %12s\n",
                 static_cast<long long>(steps), "integrator", "|dp|/|p|", "|dL|/|L|", "dE/E", "at rest |u|");
-  std::string table = line;
   for (const Flight& f : flights) {
-    std::snprintf(line, sizeof line, "%-20s %10.1e %10.1e %10.1e %12.1e", f.scheme.c_str(), f.flying.p, f.flying.L,
-                  f.flying.energy, f.resting.away);
-    table += line;
+    table += formatted("%-20s %10.1e %10.1e %10.1e %12.1e", f.scheme.c_str(), f.flying.p, f.flying.L, f.flying.energy,
+                       f.resting.away);
     for (const sim::FlightDrift* d : {&f.flying, &f.resting})
       if (!d->failure.empty()) table += "  after " + std::to_string(d->steps) + " steps: " + d->failure;
     table += '\n';

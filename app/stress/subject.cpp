@@ -11,18 +11,16 @@
 namespace app {
 namespace {
 
-using sim::ElementKind;
-
 // Tens to hundreds of elements; "tri3 sheet" is a membrane.
 sim::Mesh mesh_of(std::string_view element, bool sheet) {
-  const ElementKind kind = sim::find_element(element)->kind;
-  if (sim::info(kind).dimension == 3) {
-    const int n = kind == ElementKind::tet4 ? 2 : 1;
-    return sim::generate_box({2, 1, 1}, {2 * n, n, n}, {1, 1, 1}, kind);
+  const sim::ElementInfo& info = *sim::find_element(element);
+  if (info.dimension == 3) {
+    const int n = info.simplex() && info.order == 1 ? 2 : 1;
+    return sim::generate_box({2, 1, 1}, {2 * n, n, n}, {1, 1, 1}, info.kind);
   }
-  const int n = sim::info(kind).order == 1 ? 4 : 2;
-  if (sheet) return sim::generate_sheet({2, 1}, {2 * n, n}, {1, 1}, kind);
-  return sim::generate_rectangle({2, 1}, {2 * n, n}, {1, 1}, kind);
+  const int n = info.order == 1 ? 4 : 2;
+  if (sheet) return sim::generate_sheet({2, 1}, {2 * n, n}, {1, 1}, info.kind);
+  return sim::generate_rectangle({2, 1}, {2 * n, n}, {1, 1}, info.kind);
 }
 
 // Stretch waves of a body of this size take 0.2 s; damped so that the slowest bending dies within a second.
@@ -57,10 +55,11 @@ std::vector<Subject> built_in_subjects(bool quick) {
       if (!quick || material == materials[0] || scheme == schemes[0])
         all.push_back(subject("tet4", false, material, scheme));
   if (quick) return all;
-  for (const std::string_view element : {"tri3", "tri6", "quad4", "tet10", "hex8"})
-    for (const std::string_view material : materials) all.push_back(subject(element, false, material, schemes[0]));
-  for (const std::string_view element : {"tri3", "tri6"})
-    all.push_back(subject(element, true, materials[0], schemes[0]));
+  for (const sim::ElementInfo& element : sim::elements())
+    for (const std::string_view material : materials)
+      if (element.name != "tet4") all.push_back(subject(element.name, false, material, schemes[0]));
+  for (const sim::ElementInfo& element : sim::elements())
+    if (element.membrane) all.push_back(subject(element.name, true, materials[0], schemes[0]));
   for (const char* material : {"neo-hookean", "stvk", "linear"})
     all.push_back(subject("tet4", false, material, schemes[0]));
   for (const sim::Scheme& scheme : sim::schemes())

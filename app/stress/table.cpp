@@ -1,9 +1,9 @@
 #include "app/stress/table.h"
 
-#include <cstdio>
 #include <map>
 
 #include "app/base/number_text.h"
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -28,38 +28,27 @@ const char* verdict_of(const CaseResult& result) {
   return result.refused.empty() ? text(result.recovery.verdict) : "refused";
 }
 
-std::string field(const std::string& content) {
-  std::string quoted = "\"";
-  for (const char c : content) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 std::string table_header() {
-  char line[240];
-  std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s %9s %9s %5s %5s %5s %7s %6s %8s %7s", "extreme",
-                "body", "material", "integrator", "verdict", "distance", "min J", "inv.", "wound", "steps", "unconv.",
-                "halved", "its/step", "seconds");
-  return line;
+  return formatted("%-32s %-10s %-18s %-17s %-17s %9s %9s %5s %5s %5s %7s %6s %8s %7s", "extreme", "body", "material",
+                   "integrator", "verdict", "distance", "min J", "inv.", "wound", "steps", "unconv.", "halved",
+                   "its/step", "seconds");
 }
 
-std::string table_row(const StressCase& c, const CaseResult& result) {
-  char line[320];
-  const int length = std::snprintf(line, sizeof line, "%-32s %-10s %-18s %-17s %-17s",
-                                   (c.extreme->group + "/" + c.extreme->name).c_str(), c.subject->element.c_str(),
-                                   c.subject->material.c_str(), c.subject->scheme.c_str(), verdict_of(result));
-  std::string row(line, static_cast<std::size_t>(length));
+std::string table_row(const StabilityCase& c, const CaseResult& result) {
+  const std::string row =
+      formatted("%-32s %-10s %-18s %-17s %-17s", (c.extreme->group + "/" + c.extreme->name).c_str(),
+                c.subject->element.c_str(), c.subject->material.c_str(), c.subject->scheme.c_str(), verdict_of(result));
   if (!result.refused.empty()) return row;
   const sim::Recovery& r = result.recovery;
-  std::snprintf(line, sizeof line, " %9.1e %9.2g %5d %5d %5lld %7d %6lld %8.2f %7.2f", r.distance, r.min_J, r.inverted,
-                r.wound, static_cast<long long>(r.steps), r.not_converged, static_cast<long long>(r.splits),
-                static_cast<double>(r.newton) / static_cast<double>(std::max<std::int64_t>(r.steps, 1)),
-                result.seconds);
-  return row + line;
+  return row + formatted(" %9.1e %9.2g %5d %5d %5lld %7d %6lld %8.2f %7.2f", r.distance, r.min_J, r.inverted, r.wound,
+                         static_cast<long long>(r.steps), r.not_converged, static_cast<long long>(r.splits),
+                         static_cast<double>(r.newton) / static_cast<double>(std::max<std::int64_t>(r.steps, 1)),
+                         result.seconds);
 }
 
-std::string table_summary(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results) {
+std::string table_summary(const std::vector<StabilityCase>& cases, const std::vector<CaseResult>& results) {
   std::map<std::string, int> verdicts, reasons;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     ++verdicts[verdict_of(results[k])];
@@ -74,24 +63,28 @@ std::string table_summary(const std::vector<StressCase>& cases, const std::vecto
   return text;
 }
 
-std::string stress_csv(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results) {
+std::string stability_csv(const std::vector<StabilityCase>& cases, const std::vector<CaseResult>& results) {
   std::string csv =
       "extreme,seed,body,material,integrator,verdict,distance,min_J,inverted,wound,steps,not_converged,halved,newton,"
       "linear,"
       "seconds,reason\n";
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const StressCase& c = cases[k];
+    const StabilityCase& c = cases[k];
     const CaseResult& result = results[k];
     const sim::Recovery& r = result.recovery;
-    csv += field(c.extreme->group + "/" + c.extreme->name) + "," + std::to_string(c.seed) + "," +
-           field(c.subject->element) + "," + field(c.subject->material) + "," + c.subject->scheme + "," +
-           field(verdict_of(result));
+    csv += quoted_field(c.extreme->group + "/" + c.extreme->name) + "," + std::to_string(c.seed) + "," +
+           quoted_field(c.subject->element) + "," + quoted_field(c.subject->material) + "," + c.subject->scheme + "," +
+           quoted_field(verdict_of(result));
     for (const double number : {r.distance, r.min_J}) append_number(csv += ',', number);
     for (const std::int64_t number : {std::int64_t{r.inverted}, std::int64_t{r.wound}, r.steps,
                                       std::int64_t{r.not_converged}, r.splits, r.newton, r.linear})
       append_number(csv += ',', number);
     append_number(csv += ',', result.seconds);
-    csv += "," + field(!result.refused.empty() ? result.refused : !r.failure.empty() ? r.failure : r.reason) + '\n';
+    csv += "," +
+           quoted_field(!result.refused.empty() ? result.refused
+                        : !r.failure.empty()    ? r.failure
+                                                : r.reason) +
+           '\n';
   }
   return csv;
 }

@@ -1,4 +1,4 @@
-// The table that `ritz stress` prints, and its CSV.
+// The table of stability that `ritz stress` prints, and its CSV.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct CaseResult {
 std::string table_header();
 // One line, without the end: verdict, distance from rest, smallest J, inverted elements, steps not converged and
 // halved, Newton iterations a step, seconds.
-std::string table_row(const StressCase& c, const CaseResult& result);
+std::string table_row(const StabilityCase& c, const CaseResult& result);
 // Counts of the verdicts, and what the reasons were; lines with their ends.
-std::string table_summary(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results);
+std::string table_summary(const std::vector<StabilityCase>& cases, const std::vector<CaseResult>& results);
 
-std::string stress_csv(const std::vector<StressCase>& cases, const std::vector<CaseResult>& results);
+std::string stability_csv(const std::vector<StabilityCase>& cases, const std::vector<CaseResult>& results);
 
 }  // namespace app

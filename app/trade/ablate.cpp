@@ -1,12 +1,12 @@
 #include "app/trade/ablate.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 #include "app/base/exit_code.h"
 #include "app/base/number_text.h"
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "app/trade/features.h"
 #include "app/trade/score.h"
 #include "app/trade/trade.h"
@@ -27,15 +27,12 @@ std::string line(const Removal& removal) {
   const CaseRun& run = *removal.run;
   if (run.status != CaseStatus::done) return "  " + run.which.label + ": " + run.reason + '\n';
   const char* const verdict = removal.change.pixels < kUnseen ? "nothing that is seen: it can go" : "";
-  char text[240];
-  std::snprintf(text, sizeof text, "  %-46s %8.1f %10.3g %10.3g %10.3g  %s\n", run.which.label.c_str(),
-                100 * removal.saved, 100 * removal.change.rms, 100 * removal.change.max, removal.change.pixels,
-                verdict);
-  return text;
+  return formatted("  %-46s %8.1f %10.3g %10.3g %10.3g  %s\n", run.which.label.c_str(), 100 * removal.saved,
+                   100 * removal.change.rms, 100 * removal.change.max, removal.change.pixels, verdict);
 }
 
 std::string csv_line(const Removal& removal) {
-  std::string text = "\"" + removal.run->which.label + "\"";
+  std::string text = quoted_field(removal.run->which.label);
   for (const double x :
        {removal.run->work.median(), removal.saved, removal.change.rms, removal.change.max, removal.change.pixels}) {
     text += ',';
@@ -45,14 +42,14 @@ std::string csv_line(const Removal& removal) {
 }
 
 // As much of the scene as all runs can be made over in the time.
-void settle_stretch(Ground& ground, Notebook& notebook, std::size_t runs) {
+void settle_stretch(Comparison& comparison, Notebook& notebook, std::size_t runs) {
   constexpr double margin = 2;  // motion is slow at first; some settings are slower than the scene's
-  const double look = notebook.first_look({"the scene", Axis::scene, {}});
+  const double look = notebook.first_look(scene_case());
   const double share = notebook.left() / (margin * look * static_cast<double>(runs));
   if (share >= 1) return;
-  const auto frames = static_cast<std::int64_t>(share * static_cast<double>(ground.scene.last_frame()));
-  ground.stretch = stretch_of(ground, std::max<std::int64_t>(frames, 1));
-  std::cout << "note: only the first " << ground.seconds()
+  const auto frames = static_cast<std::int64_t>(share * static_cast<double>(comparison.scene.last_frame()));
+  comparison.stretch = stretch_of(comparison, std::max<std::int64_t>(frames, 1));
+  std::cout << "note: only the first " << comparison.seconds()
             << " s are run: more does not fit into the time (--minutes)\n";
 }
 
@@ -60,17 +57,17 @@ void settle_stretch(Ground& ground, Notebook& notebook, std::size_t runs) {
 
 int ablate(const Options& options) {
   const Interrupt interrupt;
-  Ground ground = make_ground(options);
+  Comparison comparison = make_comparison(options);
   const std::filesystem::path folder = trade_folder(options);
-  Notebook notebook(ground, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
+  Notebook notebook(comparison, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
                     interrupt);
-  const std::vector<TradeCase> cases = without_features(ground.scene.document);
+  const std::vector<TradeCase> cases = without_features(comparison.scene.document);
   std::vector<Removal> removals;
   try {
-    settle_stretch(ground, notebook, cases.size() + 1);
-    const CaseRun& whole = notebook.run({"the scene", Axis::scene, {}}, notebook.left());
+    settle_stretch(comparison, notebook, cases.size() + 1);
+    const CaseRun& whole = notebook.run(scene_case(), notebook.left());
     if (whole.status != CaseStatus::done) throw std::runtime_error(options.scene.string() + ": " + whole.reason);
-    Scorer scorer(ground);
+    Scorer scorer(comparison);
     References references;
     references.check.frames = whole.path.frames();
     scorer.set(references);
@@ -84,16 +81,15 @@ int ablate(const Options& options) {
     return kInterrupted;
   }
   std::ranges::stable_sort(removals, {}, [](const Removal& r) { return r.change.pixels; });
-  std::string table, csv = "without,seconds_per_second,saved,change,change_max,change_pixels\n";
-  char head[200];
-  std::snprintf(head, sizeof head, "  %-46s %8s %10s %10s %10s\n", "the scene without", "saves %", "changes %",
-                "at most %", "pixels");
+  std::string table =
+      formatted("  %-46s %8s %10s %10s %10s\n", "the scene without", "saves %", "changes %", "at most %", "pixels");
+  std::string csv = "without,seconds_per_second,saved,change,change_max,change_pixels\n";
   for (const Removal& removal : removals) {
     table += line(removal);
     csv += csv_line(removal);
   }
   write_atomically(folder / "ablate.csv", csv, false);
-  std::cout << head << table;
+  std::cout << table;
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/base/text.h"
 #include "app/scene/value_text.h"
 #include "sim/study/front.h"
 

@@ -9,6 +9,10 @@ std::string_view axis_name(Axis axis) {
   return names[static_cast<int>(axis)];
 }
 
+TradeCase scene_case() {
+  return {"the scene", Axis::scene, {}};
+}
+
 Options options_of(const Options& scene, const TradeCase& which) {
   Options options = scene;
   for (const auto& [key, value] : which.settings) options.overrides.push_back({key, value, key + "=" + value});

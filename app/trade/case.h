@@ -22,6 +22,9 @@ struct TradeCase {
   std::vector<std::pair<std::string, std::string>> settings;  // key, value: laid over the scene
 };
 
+// The scene as it is.
+TradeCase scene_case();
+
 // The options of the scene with the case's settings over them.
 Options options_of(const Options& scene, const TradeCase& which);
 

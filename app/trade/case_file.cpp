@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/scene/value_text.h"
 

@@ -17,14 +17,14 @@ void add_body_features(const Document& scene, std::size_t b, std::vector<TradeCa
   const auto add = [&](bool has, const std::string& feature, const char* of, const std::string& value) {
     if (has) list.push_back(without(name + feature, key + of, value));
   };
-  const std::string element = scene.meshes[b].element, model = body.materials.front().model;
+  const sim::ElementInfo& element = sim::info(body.mesh.kind);
+  const std::string linear(sim::info(element.linear).name), model = body.materials.front().model;
   add(body.damping.alpha > 0, "damping alpha", "damping.alpha", "0");
   add(body.damping.beta > 0, "damping beta", "damping.beta", "0");
-  add(body.mass == "consistent", "consistent mass (lumped instead)", "mass", "lumped");
+  add(body.mass == sim::MassMatrix::consistent, "consistent mass (lumped instead)", "mass", "lumped");
   add(!body.tractions.empty(), "tractions", "traction", "[]");
   add(body.materials.size() > 1, "regions of other material", "region", "[]");
-  add(element == "tet10", "quadratic elements (tet4 instead)", "mesh.element", "tet4");
-  add(element == "tri6", "quadratic elements (tri3 instead)", "mesh.element", "tri3");
+  add(element.order == 2, "quadratic elements (" + linear + " instead)", "mesh.element", linear);
   add(model != "linear", "nonlinear material (linear instead)", "material.model", "linear");
 }
 
@@ -45,7 +45,7 @@ void add_step_features(const Document& scene, std::vector<TradeCase>& list) {
     list.push_back(without("second order in time (backward-euler instead)", "time.integrator", "backward-euler"));
   if (scheme.order == 1 && !scheme.one_iteration)
     list.push_back(without("Newton's method (linearly-implicit instead)", "time.integrator", "linearly-implicit"));
-  if (scene.scene.solver.definiteness != "none")
+  if (scene.scene.solver.definiteness != sim::Definiteness::none)
     list.push_back(without("definiteness fix (exact tangent instead)", "solver.definiteness", "none"));
   list.push_back(without("tolerance (1e-2 instead)", "solver.tolerance", "1e-2"));
 }

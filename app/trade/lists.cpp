@@ -43,18 +43,23 @@ std::string setting(const TradeCase& which, const std::string& key, const std::s
   return of_scene;
 }
 
+// Every other value of an enum of sim/choices.h.
+template <class E>
+void add_choices(const std::string& label, const std::string& key, E of_scene, const TradeCase& around,
+                 std::vector<TradeCase>& list) {
+  const std::string is = setting(around, key, std::string(name_of(of_scene)));
+  for (const sim::Choice<E>& choice : sim::choices<E>)
+    if (choice.name != is)
+      list.push_back(with(around, label + std::string(choice.name), key, std::string(choice.name)));
+}
+
 void add_solver_cases(const sim::Solver& solver, const TradeCase& around, std::vector<TradeCase>& list) {
-  const std::string tolerance = setting(around, "solver.tolerance", std::to_string(solver.tolerance)),
-                    linear = setting(around, "solver.linear", solver.linear),
-                    definiteness = setting(around, "solver.definiteness", solver.definiteness);
+  const std::string tolerance = setting(around, "solver.tolerance", std::to_string(solver.tolerance));
   for (const char* const value : {"1e-2", "1e-3", "1e-6"})
     if (!is_number(tolerance, std::stod(value)))
       list.push_back(with(around, std::string("tolerance ") + value, "solver.tolerance", value));
-  for (const char* const value : {"auto", "pcg", "cholmod", "pcg-assembled"})
-    if (value != linear) list.push_back(with(around, value, "solver.linear", value));
-  for (const char* const value : {"none", "abs", "clamp"})
-    if (value != definiteness)
-      list.push_back(with(around, std::string("definiteness ") + value, "solver.definiteness", value));
+  add_choices("", "solver.linear", solver.linear, around, list);
+  add_choices("definiteness ", "solver.definiteness", solver.definiteness, around, list);
 }
 
 // One change to every body that it changes at all.
@@ -115,7 +120,7 @@ std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around
   const bool implicit = !sim::find_scheme(integrator)->is_explicit();
   if (implicit) add_solver_cases(scene.scene.solver, start, list);
   if (implicit && lags(scene.scene) && scene.scene.solver.lag_iterations == 0) list.push_back(lagging(start));
-  const auto mass = [](const sim::Body& body) { return body.mass; };
+  const auto mass = [](const sim::Body& body) { return std::string(name_of(body.mass)); };
   const auto model = [](const sim::Body& body) { return body.materials.front().model; };
   add_body_case(scene, start, "mass", "lumped", mass, list);
   if (implicit) add_body_case(scene, start, "mass", "consistent", mass, list);

@@ -4,46 +4,36 @@
 
 #include "app/trade/lists.h"
 #include "sim/element/element.h"
+#include "sim/mesh/generate.h"
 
 namespace app {
 namespace {
 
-enum class Shape { linear, quadratic, brick };
-
-// What becomes of a body's mesh: split so many times (-1: half the cells), with elements of this shape.
+// What becomes of a body's mesh: split so many times (-1: half the cells), with elements of this kind.
 struct Change {
   int refine;
-  Shape shape;
+  int order;
+  bool simplex;
 };
 
-Shape shape_of(const std::string& element) {
-  if (element == "quad4" || element == "hex8") return Shape::brick;
-  return element == "tri6" || element == "tet10" ? Shape::quadratic : Shape::linear;
+// nullptr: there is none of this dimension.
+const sim::ElementInfo* element_of(const Change& change, int dimension) {
+  const auto found = std::ranges::find_if(sim::elements(), [&](const sim::ElementInfo& element) {
+    return element.dimension == dimension && element.order == change.order && element.simplex() == change.simplex;
+  });
+  return found == sim::elements().end() ? nullptr : &*found;
 }
 
-std::string element_of(Shape shape, int dimension) {
-  constexpr const char* names[2][3] = {{"tri3", "tri6", "quad4"}, {"tet4", "tet10", "hex8"}};
-  return names[dimension - 2][static_cast<int>(shape)];
-}
-
-// Whether this description of a mesh can be changed so.
-bool possible(const MeshSpec& mesh, const Change& change) {
+// Whether this description of a mesh can be split so, with elements `to` instead of `from`.
+bool possible(const MeshSpec& mesh, int refine, const sim::ElementInfo& from, const sim::ElementInfo* to) {
   const bool file = mesh.source == MeshSource::file;
-  if (file && (change.shape == Shape::brick) != (shape_of(mesh.element) == Shape::brick)) return false;
-  if (mesh.source == MeshSource::sheet && change.shape == Shape::brick) return false;
-  if (mesh.refine + change.refine >= 0) return true;
-  return !file && std::ranges::all_of(mesh.cells, [](int n) { return n >= 2; });
+  if (!to || (file && to->simplex() != from.simplex())) return false;
+  if (mesh.source == MeshSource::sheet && !to->membrane) return false;
+  return mesh.refine + refine >= 0 || (!file && std::ranges::all_of(mesh.cells, [](int n) { return n >= 2; }));
 }
 
-// Nodes for each element, about, of a large mesh.
-double nodes_per_element(Shape shape, int dimension) {
-  constexpr double nodes[2][3] = {{0.5, 2, 1}, {0.18, 1.37, 1}};
-  return nodes[dimension - 2][static_cast<int>(shape)];
-}
-
-// A cell is cut into 2 triangles or 6 tets.
-double elements_per_cell(Shape shape, int dimension) {
-  return shape == Shape::brick ? 1 : dimension == 2 ? 2 : 6;
+double nodes_per_cell(const sim::ElementInfo& element) {
+  return sim::elements_per_cell(element.kind) * element.nodes_per_element;
 }
 
 std::string list_text(const std::vector<int>& numbers) {
@@ -52,12 +42,11 @@ std::string list_text(const std::vector<int>& numbers) {
   return "[" + text + "]";
 }
 
-void add_keys(const MeshSpec& mesh, const Change& change, const std::string& body, int dimension, TradeCase& which) {
-  const std::string element = element_of(change.shape, dimension);
-  if (element != mesh.element) which = with(which, "", body + ".mesh.element", "\"" + element + "\"");
-  if (change.refine == 0) return;
-  if (mesh.refine + change.refine >= 0) {
-    which = with(which, "", body + ".mesh.refine", std::to_string(mesh.refine + change.refine));
+void add_keys(const MeshSpec& mesh, int refine, std::string_view element, const std::string& body, TradeCase& which) {
+  if (element != mesh.element) which = with(which, "", body + ".mesh.element", "\"" + std::string(element) + "\"");
+  if (refine == 0) return;
+  if (mesh.refine + refine >= 0) {
+    which = with(which, "", body + ".mesh.refine", std::to_string(mesh.refine + refine));
   } else {
     std::vector<int> cells = mesh.cells;
     for (int& n : cells) n = (n + 1) / 2;
@@ -65,27 +54,23 @@ void add_keys(const MeshSpec& mesh, const Change& change, const std::string& bod
   }
 }
 
-std::string label(const Change& change, int dimension) {
-  const std::string element = element_of(change.shape, dimension);
-  if (change.refine < 0) return "half the cells, " + element;
-  if (change.refine == 0) return element;
-  return "cells split " + std::string(change.refine == 1 ? "once" : "twice") + ", " + element;
+std::string label(int refine, std::string_view element) {
+  constexpr const char* before[] = {"half the cells, ", "", "cells split once, ", "cells split twice, "};
+  return before[refine + 1] + std::string(element);
 }
 
 std::optional<MeshChange> apply(const Document& scene, const Change& change) {
-  MeshChange result{{"", Axis::mesh, {}}, 0, change.shape == Shape::quadratic && change.refine >= 0};
+  MeshChange result{{"", Axis::mesh, {}}, 0, change.order == 2 && change.refine >= 0};
   for (std::size_t b = 0; b < scene.meshes.size(); ++b) {
     const MeshSpec& mesh = scene.meshes[b];
-    if (!possible(mesh, change)) return std::nullopt;
-    const int dimension = sim::find_element(mesh.element)->dimension;
-    const Shape old = shape_of(mesh.element);
-    result.finest = result.finest && (change.refine > 0 || old != Shape::quadratic);
-    add_keys(mesh, change, "body." + std::to_string(b), dimension, result.change);
-    result.change.label = label(change, dimension);
-    const double cells = elements_per_cell(change.shape, dimension) / elements_per_cell(old, dimension);
-    result.growth =
-        std::max(result.growth, std::pow(2.0, dimension * change.refine) * cells *
-                                    nodes_per_element(change.shape, dimension) / nodes_per_element(old, dimension));
+    const sim::ElementInfo& from = *sim::find_element(mesh.element);
+    const sim::ElementInfo* const to = element_of(change, from.dimension);
+    if (!possible(mesh, change.refine, from, to)) return std::nullopt;
+    result.finest = result.finest && (change.refine > 0 || from.order == 1);
+    add_keys(mesh, change.refine, to->name, "body." + std::to_string(b), result.change);
+    result.change.label = label(change.refine, to->name);
+    result.growth = std::max(
+        result.growth, std::pow(2.0, from.dimension * change.refine) * nodes_per_cell(*to) / nodes_per_cell(from));
   }
   if (result.change.settings.empty()) return std::nullopt;
   return result;
@@ -96,9 +81,10 @@ std::optional<MeshChange> apply(const Document& scene, const Change& change) {
 std::vector<MeshChange> mesh_changes(const Document& scene) {
   std::vector<MeshChange> list;
   for (const int refine : {-1, 0, 1, 2})
-    for (const Shape shape : {Shape::linear, Shape::brick, Shape::quadratic}) {
-      if (refine == 2 && shape != Shape::quadratic) continue;  // only as a reference
-      if (auto change = apply(scene, {refine, shape})) list.push_back(std::move(*change));
+    for (const auto& [order, simplex] :
+         {std::pair(1, true), std::pair(1, false), std::pair(2, true), std::pair(2, false)}) {
+      if (refine == 2 && order == 1) continue;  // only as a reference
+      if (auto change = apply(scene, {refine, order, simplex})) list.push_back(std::move(*change));
     }
   std::ranges::stable_sort(list, {}, &MeshChange::growth);
   return list;

@@ -1,11 +1,11 @@
 #include "app/trade/notebook.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "app/scene/scene_error.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_identity.h"
@@ -17,22 +17,16 @@ namespace {
 constexpr double kLookShare = 0.02;     // of the time: a first look
 constexpr double kRepeatShare = 0.004;  // of the time: shorter runs are timed three times
 
-std::string file_name(std::uint64_t id) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.run", static_cast<unsigned long long>(id));
-  return name;
-}
-
 }  // namespace
 
-Notebook::Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
+Notebook::Notebook(const Comparison& comparison, std::filesystem::path folder, double seconds, std::ostream* out,
                    const Interrupt& interrupt)
-    : ground_(ground), folder_(std::move(folder)), seconds_(seconds), out_(out), interrupt_(interrupt) {
+    : comparison_(comparison), folder_(std::move(folder)), seconds_(seconds), out_(out), interrupt_(interrupt) {
   make_folder(folder_);
 }
 
 std::filesystem::path Notebook::file(std::uint64_t id) const {
-  return folder_ / file_name(id);
+  return folder_ / (hexadecimal(id) + ".run");
 }
 
 void Notebook::keep(const CaseRun& run) const {
@@ -41,9 +35,7 @@ void Notebook::keep(const CaseRun& run) const {
 
 void Notebook::say(const std::string& line) const {
   if (!out_) return;
-  char clock[48];
-  std::snprintf(clock, sizeof clock, "[%3.0f of %.0f s] ", watch_.seconds(), seconds_);
-  *out_ << clock << line << std::endl;
+  *out_ << formatted("[%3.0f of %.0f s] ", watch_.seconds(), seconds_) << line << std::endl;
 }
 
 CaseRun* Notebook::known(std::uint64_t id) {
@@ -71,10 +63,10 @@ void Notebook::skip(const TradeCase& which, const std::string& reason) {
 }
 
 const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
-  const Options options = options_of(ground_.options, which);
+  const Options options = options_of(comparison_.options, which);
   try {
     const std::uint64_t id =
-        case_id(ground_, scene_identity(load_scene(options.scene, options.settings, options.overrides)));
+        case_id(comparison_, scene_identity(load_scene(options.scene, options.settings, options.overrides)));
     if (CaseRun* const earlier = known(id)) return *earlier;
     if (!recall_only_.empty() || left() <= 0) {
       CaseRun run;
@@ -84,7 +76,7 @@ const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
       return add(std::move(run));
     }
     const Allowance allowed{std::min(allowance, left()), kRepeatShare * seconds_};
-    CaseRun run = run_case(ground_, which, build_simulation(options), allowed, interrupt_);
+    CaseRun run = run_case(comparison_, which, build_simulation(options), allowed, interrupt_);
     keep(run);
     return add(told(std::move(run)));
   } catch (const SceneError& error) {
@@ -94,30 +86,28 @@ const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
 
 // Says how it went.
 CaseRun Notebook::told(CaseRun run) const {
-  char done[64];
-  std::snprintf(done, sizeof done, "%.3g s per simulated second", run.work.median());
-  say(run.which.label + (run.status == CaseStatus::done     ? std::string(": ") + done
+  say(run.which.label + (run.status == CaseStatus::done ? formatted(": %.3g s per simulated second", run.work.median())
                          : run.status == CaseStatus::failed ? ": failed, " + run.reason
                                                             : ": skipped, " + run.reason));
   return run;
 }
 
 double Notebook::first_look(const TradeCase& which) {
-  const Simulation simulation = build_simulation(options_of(ground_.options, which));
-  const CaseRun run = run_case(ground_, which, simulation, {0, 0, kLookShare * seconds_}, interrupt_);
-  return run.status == CaseStatus::skipped ? run.estimate : run.work.median() * ground_.seconds();
+  const Simulation simulation = build_simulation(options_of(comparison_.options, which));
+  const CaseRun run = run_case(comparison_, which, simulation, {0, 0, kLookShare * seconds_}, interrupt_);
+  return run.status == CaseStatus::skipped ? run.estimate : run.work.median() * comparison_.seconds();
 }
 
 CaseRun Notebook::run_afresh(const TradeCase& which) {
-  const Simulation simulation = build_simulation(options_of(ground_.options, which));
-  return run_case(ground_, which, simulation, {1e12, 0}, interrupt_);
+  const Simulation simulation = build_simulation(options_of(comparison_.options, which));
+  return run_case(comparison_, which, simulation, {1e12, 0}, interrupt_);
 }
 
 void Notebook::time_again(const CaseRun& run) {
   CaseRun* const mine = known(run.id);
   if (!mine) return;
-  const Simulation simulation = build_simulation(options_of(ground_.options, run.which));
-  app::time_again(ground_, simulation, *mine, interrupt_);
+  const Simulation simulation = build_simulation(options_of(comparison_.options, run.which));
+  app::time_again(comparison_, simulation, *mine, interrupt_);
   keep(*mine);
 }
 

@@ -15,7 +15,7 @@ class Notebook {
  public:
   // `folder`: where the runs are kept (DIR/cases). `seconds`: of wall time that all runs may take. `out`: where
   // progress goes; nullptr: nowhere. Throws WriteError.
-  Notebook(const Ground& ground, std::filesystem::path folder, double seconds, std::ostream* out,
+  Notebook(const Comparison& comparison, std::filesystem::path folder, double seconds, std::ostream* out,
            const Interrupt& interrupt);
 
   // The run of this case; it stays where it is. It may take `allowance` [s], but never more than is left of the time.
@@ -46,7 +46,7 @@ class Notebook {
   const CaseRun& add(CaseRun run);
   CaseRun told(CaseRun run) const;
 
-  const Ground& ground_;
+  const Comparison& comparison_;
   std::filesystem::path folder_;
   double seconds_;
   std::ostream* out_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/scene/value_text.h"
 

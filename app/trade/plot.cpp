@@ -1,17 +1,15 @@
 #include "app/trade/plot.h"
 
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "app/base/number_text.h"
+#include "app/base/process.h"
 #include "app/trade/advice.h"
 
 namespace app {
@@ -28,6 +26,7 @@ struct Dot {
 struct Series {
   std::string title, style;
   std::vector<Dot> dots;
+  bool on_y2 = false;  // at heights of the picture instead of errors
 };
 
 constexpr double kFailed = 1;     // body sizes: no result any more
@@ -93,7 +92,7 @@ Series front_series(const Diagram& diagram, ErrorOf error, double least, const s
 }
 
 Series failures(const Diagram& diagram) {
-  Series series{"failed", "points pt 2 ps 1 lw 2 lc rgb '#cc0000' axes x1y2", {}};
+  Series series{"failed", "points pt 2 ps 1 lw 2 lc rgb '#cc0000'", {}, true};
   for (const Score* score : diagram.scores)
     if (failed(*score) && score->seconds() > 0)
       series.dots.push_back({score->seconds(), kMargin, score->run->which.label});
@@ -137,7 +136,7 @@ std::string data_block(const std::string& name, const Series& series) {
 std::string range_of(const std::vector<Series>& all, const char* axis, double Dot::*of) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const Series& series : all) {
-    if (of == &Dot::error && series.style.ends_with("axes x1y2")) continue;  // on an axis of their own
+    if (of == &Dot::error && series.on_y2) continue;
     for (const Dot& dot : series.dots) {
       low = std::min(low, dot.*of);
       high = std::max(high, dot.*of);
@@ -159,8 +158,8 @@ std::string plot_command(const std::vector<Series>& all, const std::string& pref
     if (series.dots.empty()) continue;
     const std::string name = "$" + prefix + std::to_string(++block);
     data += data_block(name, series);
-    plot += (plot.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 with " + series.style + " title '" +
-            escaped(series.title) + "'";
+    plot += (plot.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 with " + series.style +
+            (series.on_y2 ? " axes x1y2" : "") + " title '" + escaped(series.title) + "'";
   }
   if (plot.empty()) return plot;
   return range_of(all, "x", &Dot::seconds) + range_of(all, "y", &Dot::error) + plot;
@@ -192,13 +191,9 @@ std::string plot_script(const std::vector<Diagram>& diagrams, const std::filesys
 }
 
 bool run_gnuplot(const std::filesystem::path& script) {
-  std::string program = "gnuplot", file = script.string();
-  char* const arguments[] = {program.data(), file.data(), nullptr};
   pid_t process = 0;
-  if (posix_spawnp(&process, "gnuplot", nullptr, nullptr, arguments, environ) != 0) return false;
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  if (start_process({"gnuplot", script.string()}, -1, process) != 0) return false;
+  const int status = wait_for_process(process);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

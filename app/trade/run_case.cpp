@@ -1,8 +1,7 @@
 #include "app/trade/run_case.h"
 
-#include <cstdio>
-
 #include "app/base/stopwatch.h"
+#include "app/base/text.h"
 #include "sim/mesh/input_error.h"
 #include "sim/stepper.h"
 #include "sim/time/scheme.h"
@@ -15,13 +14,13 @@ constexpr int kRepeats = 3;
 // One pass over the stretch.
 class Pass {
  public:
-  Pass(const Ground& ground, const Simulation& simulation, const Interrupt& interrupt)
-      : ground_(ground),
+  Pass(const Comparison& comparison, const Simulation& simulation, const Interrupt& interrupt)
+      : comparison_(comparison),
         system_(*simulation.system),
         interrupt_(interrupt),
-        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, ground.options.threads))),
+        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, comparison.options.threads))),
         state_(system_.initial_state()),
-        steps_(ground.stretch.last * system_.steps_per_frame()) {}
+        steps_(comparison.stretch.last * system_.steps_per_frame()) {}
 
   // Fills in what the run shows. With a sampler the path is kept.
   void go(const Allowance& allowance, const sim::Sampler* sampler, CaseRun& run) {
@@ -31,7 +30,7 @@ class Pass {
       const sim::StepReport report = stepper_->step(state_);
       if (!report.failure.empty()) return fail(report, run);
       add(report, run);
-      if (sampler && state_.step % (ground_.stretch.stride * system_.steps_per_frame()) == 0)
+      if (sampler && state_.step % (comparison_.stretch.stride * system_.steps_per_frame()) == 0)
         sim::add_frame(system_, state_, *sampler, run.path);
       const double so_far = watch.seconds(), whole = so_far / double(state_.step) * double(steps_);
       if (so_far > allowance.patience && whole > allowance.run) return give_up(whole, run);
@@ -53,18 +52,14 @@ class Pass {
   }
 
   void fail(const sim::StepReport& report, CaseRun& run) {
-    char text[80];
-    std::snprintf(text, sizeof text, "at t = %.3g s: ", system_.time(state_.step + 1));
     run.status = CaseStatus::failed;
-    run.reason = text + report.failure;
+    run.reason = failure_text(system_, report);
     per_simulated_second(run);
   }
 
   void give_up(double whole, CaseRun& run) {
-    char text[80];
-    std::snprintf(text, sizeof text, "would take about %.0f s", whole);
     run.status = CaseStatus::skipped;
-    run.reason = text;
+    run.reason = formatted("would take about %.0f s", whole);
     run.estimate = whole;
   }
 
@@ -77,7 +72,7 @@ class Pass {
     run.work.steps = double(state_.step) / simulated;
   }
 
-  const Ground& ground_;
+  const Comparison& comparison_;
   const sim::System& system_;
   const Interrupt& interrupt_;
   std::unique_ptr<sim::Stepper> stepper_;
@@ -86,8 +81,8 @@ class Pass {
   double first_ = 0, seconds_ = 0;  // of the first step, which warms up, and of all others
 };
 
-void describe(const Ground& ground, const Simulation& simulation, CaseRun& run) {
-  run.id = case_id(ground, simulation.identity);
+void describe(const Comparison& comparison, const Simulation& simulation, CaseRun& run) {
+  run.id = case_id(comparison, simulation.identity);
   run.step = simulation.system->step_seconds();
   run.order = sim::find_scheme(simulation.document.scene.time.integrator)->order;
   run.dofs = simulation.system->counts().dofs;
@@ -95,18 +90,18 @@ void describe(const Ground& ground, const Simulation& simulation, CaseRun& run) 
 
 }  // namespace
 
-CaseRun run_case(const Ground& ground, const TradeCase& which, const Simulation& simulation, const Allowance& allowance,
-                 const Interrupt& interrupt) {
+CaseRun run_case(const Comparison& comparison, const TradeCase& which, const Simulation& simulation,
+                 const Allowance& allowance, const Interrupt& interrupt) {
   CaseRun run;
   run.which = which;
-  run.path.dimension = ground.points.dimension;
-  describe(ground, simulation, run);
+  run.path.dimension = comparison.points.dimension;
+  describe(comparison, simulation, run);
   try {
-    const sim::Sampler sampler(*simulation.system, ground.points);
-    Pass first(ground, simulation, interrupt);
+    const sim::Sampler sampler(*simulation.system, comparison.points);
+    Pass first(comparison, simulation, interrupt);
     first.go(allowance, &sampler, run);
     const bool repeat = run.status == CaseStatus::done && first.seconds() < allowance.repeat;
-    for (int k = 1; repeat && k < kRepeats; ++k) time_again(ground, simulation, run, interrupt);
+    for (int k = 1; repeat && k < kRepeats; ++k) time_again(comparison, simulation, run, interrupt);
   } catch (const sim::InputError& error) {
     run.status = CaseStatus::failed;
     run.reason = error.what();
@@ -122,9 +117,9 @@ CaseRun refused_case(const TradeCase& which, const std::string& reason) {
   return run;
 }
 
-void time_again(const Ground& ground, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt) {
+void time_again(const Comparison& comparison, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt) {
   CaseRun again;
-  Pass(ground, simulation, interrupt).go({1e12}, nullptr, again);
+  Pass(comparison, simulation, interrupt).go({1e12}, nullptr, again);
   if (!again.work.seconds.empty()) run.work.seconds.push_back(again.work.seconds.front());
 }
 

@@ -1,8 +1,8 @@
-// Runs a case: steps it over the ground's stretch, without drawing and files, and times it.
+// Runs a case: steps it over the comparison's stretch, without drawing and files, and times it.
 #pragma once
 
 #include "app/base/interrupt.h"
-#include "app/trade/ground.h"
+#include "app/trade/comparison.h"
 
 namespace app {
 
@@ -15,14 +15,15 @@ struct Allowance {
   double patience = 0.3;  // s of a run before its length is judged
 };
 
-// The simulation is the ground's scene with the case's settings. Throws Interrupted; numerical failures are results.
-CaseRun run_case(const Ground& ground, const TradeCase& which, const Simulation& simulation, const Allowance& allowance,
-                 const Interrupt& interrupt);
+// The simulation is the comparison's scene with the case's settings. Throws Interrupted; numerical failures are
+// results.
+CaseRun run_case(const Comparison& comparison, const TradeCase& which, const Simulation& simulation,
+                 const Allowance& allowance, const Interrupt& interrupt);
 
 // The run of a case whose settings do not go together.
 CaseRun refused_case(const TradeCase& which, const std::string& reason);
 
 // Times it once more.
-void time_again(const Ground& ground, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt);
+void time_again(const Comparison& comparison, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt);
 
 }  // namespace app

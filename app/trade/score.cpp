@@ -50,9 +50,9 @@ void Scorer::set(const References& references) {
 
 Apart Scorer::apart(const CaseRun& a, const CaseRun& b) const {
   const int frames = references_.check.frames;
-  const sim::Difference difference = sim::difference(a.path, b.path, ground_.points, frames);
+  const sim::Difference difference = sim::difference(a.path, b.path, comparison_.points, frames);
   const sim::Difference pixels =
-      sim::difference(on_screen(ground_, a.path), on_screen(ground_, b.path), screen_, frames);
+      sim::difference(on_screen(comparison_, a.path), on_screen(comparison_, b.path), screen_, frames);
   return {difference.rms, difference.max, pixels.rms};
 }
 
@@ -75,12 +75,12 @@ Score Scorer::judge(const CaseRun& run) const {
 void Scorer::judge_against_time(Score& score) const {
   const CaseRun &run = *score.run, &reference = *references_.time;
   const int frames = references_.check.frames;
-  score.centre = sim::centre_difference(run.path, reference.path, ground_.points, frames);
+  score.centre = sim::centre_difference(run.path, reference.path, comparison_.points, frames);
   const bool same = !changes_bodies(run.which);
   if (!same && !changes_model(run.which)) return;
   const Apart error = apart(run, reference);
   (same ? score.time : score.model) = error;
-  const sim::Drift drift = sim::drift(run.path, reference.path, ground_.points);
+  const sim::Drift drift = sim::drift(run.path, reference.path, comparison_.points);
   score.energy_drift = drift.energy;
   score.momentum_drift = drift.momentum;
   score.mean_energy = drift.mean_energy;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/trade/comparison.h"
 #include "app/trade/goal.h"
-#include "app/trade/ground.h"
 #include "sim/study/reference_check.h"
 
 namespace app {
@@ -46,7 +46,7 @@ struct Score {
 
 class Scorer {
  public:
-  explicit Scorer(const Ground& ground) : ground_(ground), screen_(screen_points(ground)) {}
+  explicit Scorer(const Comparison& comparison) : comparison_(comparison), screen_(screen_points(comparison)) {}
 
   // From now on runs are measured against these; earlier scores are forgotten.
   void set(const References& references);
@@ -60,7 +60,7 @@ class Scorer {
   void judge_against_time(Score& score) const;
   void judge_against_mesh(Score& score) const;
 
-  const Ground& ground_;
+  const Comparison& comparison_;
   sim::SamplePoints screen_;
   References references_;
   std::map<const CaseRun*, Score> known_;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "app/base/checksum.h"
+#include "app/base/text.h"
 #include "app/trade/advice.h"
+#include "sim/math/checksum.h"
 #include "sim/study/front.h"
 
 namespace app {
@@ -16,18 +16,6 @@ constexpr double kTimeShare = 0.6, kMeshReferenceShare = 0.5, kMeshShare = 0.4, 
 constexpr int kMostCombinations = 6;
 constexpr double kGrowthOfWork = 1.2;  // work goes as unknowns to this power, at the least
 
-std::string percent_text(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-  return text;
-}
-
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g s", seconds);
-  return text;
-}
-
 }  // namespace
 
 TradeCase mesh_time_case(const Document& scene, const Plan& plan) {
@@ -35,7 +23,7 @@ TradeCase mesh_time_case(const Document& scene, const Plan& plan) {
 }
 
 std::vector<TradeCase> independent_cases(const Document& scene, const Plan& plan, bool keep_mesh) {
-  const TradeCase own{"the scene", Axis::scene, {}}, mesh_time = mesh_time_case(scene, plan);
+  const TradeCase own = scene_case(), mesh_time = mesh_time_case(scene, plan);
   std::vector<TradeCase> all = {own};
   const auto add = [&](const std::vector<TradeCase>& list) { all.insert(all.end(), list.begin(), list.end()); };
   add(reference_cases(scene, plan.depth));
@@ -48,8 +36,9 @@ std::vector<TradeCase> independent_cases(const Document& scene, const Plan& plan
   return all;
 }
 
-Search::Search(Ground& ground, Notebook& notebook, Scorer& scorer, const Goal& goal, std::filesystem::path folder)
-    : ground_(ground), notebook_(notebook), scorer_(scorer), goal_(goal), folder_(std::move(folder)) {}
+Search::Search(Comparison& comparison, Notebook& notebook, Scorer& scorer, const Goal& goal,
+               std::filesystem::path folder)
+    : comparison_(comparison), notebook_(notebook), scorer_(scorer), goal_(goal), folder_(std::move(folder)) {}
 
 void Search::note(const std::string& text) {
   notes_.push_back(text);
@@ -65,17 +54,18 @@ std::vector<const Score*> Search::scores() {
 void Search::go(const std::optional<Plan>& plan) {
   if (plan) {
     plan_ = *plan;
-    ground_.stretch = stretch_of(ground_, plan_.frames);
+    comparison_.stretch = stretch_of(comparison_, plan_.frames);
   } else {
     make_plan();
   }
-  if (ground_.shortened())
-    note("only the first " + seconds_text(ground_.seconds()) + " of " + seconds_text(scene().scene.time.seconds) +
+  if (comparison_.shortened())
+    note("only the first " + formatted("%.3g s", comparison_.seconds()) + " of " +
+         formatted("%.3g s", scene().scene.time.seconds) +
          " are measured: more does not fit into the time (--minutes)");
-  notebook_.run({"the scene", Axis::scene, {}}, kTimeShare * notebook_.left());
+  notebook_.run(scene_case(), kTimeShare * notebook_.left());
   if (!find_references()) return;
   time_axis();
-  if (!ground_.options.trade.keep_mesh) mesh_axis();
+  if (!comparison_.options.trade.keep_mesh) mesh_axis();
   if (!notebook_.recalls_only() && references_.mesh) combine();
   rest();
   if (!notebook_.recalls_only()) time_front_again();
@@ -83,8 +73,8 @@ void Search::go(const std::optional<Plan>& plan) {
 
 void Search::make_plan() {
   const std::filesystem::path file = folder_ / "plan.toml";
-  const std::int64_t frames = ground_.scene.last_frame();
-  const std::uint64_t key = checksum(std::to_string(frames), ground_.scene.identity);
+  const std::int64_t frames = comparison_.scene.last_frame();
+  const std::uint64_t key = sim::checksum(std::to_string(frames), comparison_.scene.identity);
   if (const auto earlier = read_plan(file, key, notebook_.seconds())) {
     plan_ = *earlier;
   } else {
@@ -93,17 +83,17 @@ void Search::make_plan() {
     plan_ = affordable_plan(kTimeShare * notebook_.left(), look, tried, frames);
     write_plan(file, key, notebook_.seconds(), plan_);
   }
-  ground_.stretch = stretch_of(ground_, plan_.frames);
+  comparison_.stretch = stretch_of(comparison_, plan_.frames);
 }
 
 bool Search::find_references() {
   for (;; plan_.depth /= 2) {
     std::vector<const CaseRun*> runs;
-    for (const TradeCase& which : reference_cases(scene(), plan_.depth)) {
+    const bool all_done = std::ranges::all_of(reference_cases(scene(), plan_.depth), [&](const TradeCase& which) {
       runs.push_back(&notebook_.run(which, runs.empty() ? kTimeShare * notebook_.left() : notebook_.left()));
-      if (runs.back()->status != CaseStatus::done) break;
-    }
-    if (runs.size() == 4 && runs.back()->status == CaseStatus::done) {
+      return runs.back()->status == CaseStatus::done;
+    });
+    if (all_done) {
       judge_references(runs);
       return true;
     }
@@ -117,17 +107,17 @@ bool Search::find_references() {
 void Search::judge_references(const std::vector<const CaseRun*>& runs) {
   references_.time = runs[0];
   references_.check =
-      sim::check_reference({runs[0]->path, runs[1]->path, runs[2]->path, runs[3]->path}, ground_.points);
+      sim::check_reference({runs[0]->path, runs[1]->path, runs[2]->path, runs[3]->path}, comparison_.points);
   const sim::ReferenceCheck& check = references_.check;
   if (check.diverges)
     note("the motion is chaotic: halving the step of the reference moves it by 0.5 % of the size at t = " +
-         seconds_text(check.horizon) +
+         formatted("%.3g s", check.horizon) +
          "; positions mean something up to there, and errors are those up to there. "
          "Beyond, compare the centre of mass and the energy (columns centre_error, mean_energy)");
   if (!check.agrees)
-    note("the reference cannot be trusted: tr-bdf2 and sdirk2 are " + percent_text(check.apart) +
+    note("the reference cannot be trusted: tr-bdf2 and sdirk2 are " + percent(check.apart) +
          " apart, and halving its step brings sdirk2 no nearer (halving that of tr-bdf2 moves it by " +
-         percent_text(check.moved) + ")");
+         percent(check.moved) + ")");
   scorer_.set(references_);
 }
 
@@ -144,19 +134,22 @@ void Search::raise_floor() {
   for (const Score* score : scores())
     below += score->time && !score->resolved && score->run->which.axis != Axis::reference ? 1 : 0;
   if (below > 0)
-    note("runs closer to the reference than ten times its uncertainty (" + percent_text(references_.check.uncertainty) +
-         "): " + std::to_string(below) + "; their errors are given as below " + percent_text(floor));
+    note("runs closer to the reference than ten times its uncertainty (" + percent(references_.check.uncertainty) +
+         "): " + std::to_string(below) + "; their errors are given as below " + percent(floor));
 }
 
-const CaseRun* Search::find_finest(const std::vector<MeshChange>& changes, double seconds) {
+// Leaves in `changes` those that are coarser.
+const CaseRun* Search::find_finest(std::vector<MeshChange>& changes, double seconds) {
   const TradeCase time = mesh_time_case(scene(), plan_);
   const CaseRun& own = notebook_.run(time, seconds);
-  for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
-    if (!change->finest) continue;
-    const TradeCase which = both(time, change->change, Axis::mesh);
-    const double least = own.work.median() * ground_.seconds() * std::pow(change->growth, kGrowthOfWork);
+  while (!changes.empty()) {
+    const MeshChange change = std::move(changes.back());
+    changes.pop_back();
+    if (!change.finest) continue;
+    const TradeCase which = both(time, change.change, Axis::mesh);
+    const double least = own.work.median() * comparison_.seconds() * std::pow(change.growth, kGrowthOfWork);
     if (least > seconds && !notebook_.recalls_only()) {
-      notebook_.skip(which, "would take " + seconds_text(least) + " or more");
+      notebook_.skip(which, "would take " + formatted("%.3g s", least) + " or more");
       continue;
     }
     const CaseRun& run = notebook_.run(which, seconds);
@@ -166,18 +159,15 @@ const CaseRun* Search::find_finest(const std::vector<MeshChange>& changes, doubl
 }
 
 void Search::mesh_axis() {
-  const std::vector<MeshChange> changes = mesh_changes(scene());
+  std::vector<MeshChange> changes = mesh_changes(scene());
   const CaseRun* const finest = find_finest(changes, kMeshReferenceShare * notebook_.left());
   if (!finest) {
     note("no finer mesh could be afforded or made: the mesh error is not known, targets bound the time error only");
     return;
   }
   const TradeCase time = mesh_time_case(scene(), plan_);
-  for (const MeshChange& change : changes) {
-    const TradeCase which = both(time, change.change, Axis::mesh);
-    if (settings_text(which) == settings_text(finest->which)) break;
-    notebook_.run(which, kMeshShare * notebook_.left());
-  }
+  for (const MeshChange& change : changes)
+    notebook_.run(both(time, change.change, Axis::mesh), kMeshShare * notebook_.left());
   judge_meshes(*finest);
 }
 
@@ -236,7 +226,7 @@ void Search::combine() {
 // One setting at a time around the scene's own and around the best.
 void Search::rest() {
   constexpr int rounds = 2;
-  std::vector<TradeCase> around = {{"the scene", Axis::scene, {}}};
+  std::vector<TradeCase> around = {scene_case()};
   if (notebook_.recalls_only()) around.push_back(mesh_time_case(scene(), plan_));
   std::vector<std::string> seen;
   for (int round = 0; round < rounds; ++round) {
@@ -255,7 +245,7 @@ void Search::time_front_again() {
   constexpr std::size_t enough = 3;
   for (const Score* score : front_of(scores()))
     while (score->run->work.seconds.size() < enough &&
-           score->run->work.median() * ground_.seconds() < kRestShare * notebook_.left())
+           score->run->work.median() * comparison_.seconds() < kRestShare * notebook_.left())
       notebook_.time_again(*score->run);
 }
 

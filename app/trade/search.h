@@ -15,8 +15,8 @@ namespace app {
 
 class Search {
  public:
-  // `ground`: its stretch is settled by the plan.
-  Search(Ground& ground, Notebook& notebook, Scorer& scorer, const Goal& goal, std::filesystem::path folder);
+  // `comparison`: its stretch is settled by the plan.
+  Search(Comparison& comparison, Notebook& notebook, Scorer& scorer, const Goal& goal, std::filesystem::path folder);
 
   // With a plan given, nothing is chosen by the clock.
   void go(const std::optional<Plan>& plan);
@@ -35,15 +35,15 @@ class Search {
   void time_axis();
   void raise_floor();
   void mesh_axis();
-  const CaseRun* find_finest(const std::vector<MeshChange>& changes, double seconds);
+  const CaseRun* find_finest(std::vector<MeshChange>& changes, double seconds);
   void judge_meshes(const CaseRun& finest);
   void combine();
   void rest();
   void time_front_again();
   void note(const std::string& text);
-  const Document& scene() const { return ground_.scene.document; }
+  const Document& scene() const { return comparison_.scene.document; }
 
-  Ground& ground_;
+  Comparison& comparison_;
   Notebook& notebook_;
   Scorer& scorer_;
   Goal goal_;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
 #include "app/base/number_text.h"
+#include "app/base/text.h"
 #include "app/trade/advice.h"
 #include "sim/study/slope.h"
 
@@ -16,28 +16,22 @@ namespace {
 constexpr double kMeaningful = 0.3;  // of the size: larger errors follow no order
 
 std::string in_percent(const std::optional<Apart>& apart) {
-  char text[32] = "";
-  if (apart) std::snprintf(text, sizeof text, "%.2g", 100 * apart->rms);
-  return text;
+  return apart ? formatted("%.2g", 100 * apart->rms) : "";
 }
 
 std::string time_error(const Score& score, const References& references) {
   if (!score.time || score.resolved) return in_percent(score.time ? score.time : score.model);
-  char text[32];
-  std::snprintf(text, sizeof text, "<%.2g", 1000 * references.check.uncertainty);
-  return text;
+  return formatted("<%.2g", 1000 * references.check.uncertainty);
 }
 
 std::string row(const Score& score, bool on_front, const References& references) {
   const CaseRun& run = *score.run;
   const std::optional<Apart>& whole = score.total ? score.total : score.time ? score.time : score.model;
-  char line[400];
-  std::snprintf(line, sizeof line, "%c %-60s %9s %9s %9s %8.3g %9.3g %9.3g %8.0f %7.0f %8.0f%s\n", on_front ? '*' : ' ',
-                run.which.label.c_str(), time_error(score, references).c_str(), in_percent(score.mesh).c_str(),
-                in_percent(score.total).c_str(), whole ? whole->pixels : 0.0, run.work.median(), run.work.least(),
-                run.work.force_evaluations, run.work.factorisations, run.work.linear,
-                run.not_converged > 0 ? "  not converged" : "");
-  return line;
+  return formatted("%c %-60s %9s %9s %9s %8.3g %9.3g %9.3g %8.0f %7.0f %8.0f%s\n", on_front ? '*' : ' ',
+                   run.which.label.c_str(), time_error(score, references).c_str(), in_percent(score.mesh).c_str(),
+                   in_percent(score.total).c_str(), whole ? whole->pixels : 0.0, run.work.median(), run.work.least(),
+                   run.work.force_evaluations, run.work.factorisations, run.work.linear,
+                   run.not_converged > 0 ? "  not converged" : "");
 }
 
 // Errors of one integrator.
@@ -54,12 +48,6 @@ double finest_slope(const ErrorsByStep& series) {
   const double steps[] = {series.steps[order[0]], series.steps[order[1]]},
                errors[] = {series.errors[order[0]], series.errors[order[1]]};
   return sim::log_slope(steps, errors);
-}
-
-std::string quoted_field(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c == '\n' ? ' ' : c);
-  return quoted + '"';
 }
 
 // The cells of one row; what is not known stays empty.
@@ -117,34 +105,24 @@ std::string table_text(const std::vector<const Score*>& scores, const References
   std::vector<const Score*> done, other;
   for (const Score* score : scores) (score->run->status == CaseStatus::done ? done : other).push_back(score);
   std::ranges::stable_sort(done, {}, [](const Score* s) { return s->seconds(); });
-  char head[300];
-  std::snprintf(head, sizeof head, "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n", "", "time", "mesh", "total", "",
-                "median", "least", "force", "factor-", "linear");
-  std::string text = head;
-  std::snprintf(head, sizeof head, "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n",
-                "per simulated second; * = on the front", "error %", "error %", "error %", "pixels", "s", "s", "evals",
-                "isations", "its");
-  text += head;
+  constexpr const char* head = "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n";
+  std::string text = formatted(head, "", "time", "mesh", "total", "", "median", "least", "force", "factor-", "linear") +
+                     formatted(head, "per simulated second; * = on the front", "error %", "error %", "error %",
+                               "pixels", "s", "s", "evals", "isations", "its");
   for (const Score* score : done) text += row(*score, std::ranges::find(members, score) != members.end(), references);
   text += left_out(other);
-  for (const Slope& slope : slopes(scores)) {
-    char line[120];
-    std::snprintf(line, sizeof line, "  %s: order %d, measured %.2f\n", slope.integrator.c_str(), slope.order,
-                  slope.slope);
-    text += line;
-  }
+  for (const Slope& slope : slopes(scores))
+    text += formatted("  %s: order %d, measured %.2f\n", slope.integrator.c_str(), slope.order, slope.slope);
   return text;
 }
 
-std::string trade_csv(const std::vector<const Score*>& scores, const Ground& ground) {
+std::string trade_csv(const std::vector<const Score*>& scores, const Comparison& comparison) {
   constexpr const char* names[] = {"done", "failed", "skipped"};
   const std::vector<const Score*> members = front_of(scores);
   std::string text(kHeader);
   for (const Score* score : scores) {
     const CaseRun& run = *score->run;
     const Work& work = run.work;
-    char id[24];
-    std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(run.id));
     Row row;
     row.text(run.which.label).text(std::string(axis_name(run.which.axis))).text(settings_text(run.which));
     row.text(names[static_cast<int>(run.status)]).text(run.reason).number(run.step).number(double(run.dofs));
@@ -153,8 +131,8 @@ std::string trade_csv(const std::vector<const Score*>& scores, const Ground& gro
     row.number(score->energy_drift).number(score->momentum_drift).number(score->centre).number(score->mean_energy);
     row.number(work.median()).number(work.least()).number(double(work.seconds.size())).number(work.steps);
     row.number(work.newton).number(work.force_evaluations).number(work.factorisations).number(work.linear);
-    row.number(double(run.not_converged)).number(ground.seconds());
-    row.number(std::ranges::find(members, score) != members.end() ? 1 : 0).text(id);
+    row.number(double(run.not_converged)).number(comparison.seconds());
+    row.number(std::ranges::find(members, score) != members.end() ? 1 : 0).text(hexadecimal(run.id));
     text += row.line();
   }
   return text;

@@ -12,7 +12,7 @@ namespace app {
 std::string table_text(const std::vector<const Score*>& scores, const References& references);
 
 // A header and one row for each run.
-std::string trade_csv(const std::vector<const Score*>& scores, const Ground& ground);
+std::string trade_csv(const std::vector<const Score*>& scores, const Comparison& comparison);
 
 // The order in time that the runs of each integrator show.
 struct Slope {

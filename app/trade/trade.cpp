@@ -1,27 +1,17 @@
 #include "app/trade/trade.h"
 
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 
 #include "app/base/json.h"
 #include "app/base/output_file.h"
+#include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/trade/advice.h"
 #include "app/trade/table.h"
 
 namespace app {
 namespace {
-
-std::string formatted(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string percent(double share) {
-  return formatted("%.2g", 100 * share) + " %";
-}
 
 // "0.62 % (2.1 px)"
 std::string error_text(const Apart& apart) {
@@ -94,12 +84,12 @@ double trade_seconds(const TradeOptions& options) {
 Trade::Trade(const Options& options, std::filesystem::path folder, double seconds, const Interrupt& interrupt)
     : options_(options),
       folder_(std::move(folder)),
-      ground_(make_ground(options)),
-      goal_(read_goal(options.trade, ground_.scene.document.scene.time)),
-      notebook_(ground_, cases_folder(options, folder_, ground_.scene.identity), seconds,
+      comparison_(make_comparison(options)),
+      goal_(read_goal(options.trade, comparison_.scene.document.scene.time)),
+      notebook_(comparison_, cases_folder(options, folder_, comparison_.scene.identity), seconds,
                 options.quiet ? nullptr : &std::cerr, interrupt),
-      scorer_(ground_),
-      search_(ground_, notebook_, scorer_, goal_, folder_) {
+      scorer_(comparison_),
+      search_(comparison_, notebook_, scorer_, goal_, folder_) {
   notebook_.on_change([this] { write_csv(); });
 }
 
@@ -119,11 +109,11 @@ void Trade::collect(const Plan& plan) {
 }
 
 void Trade::write_csv() {
-  write_atomically(folder_ / "trade.csv", trade_csv(search_.scores(), ground_), false);
+  write_atomically(folder_ / "trade.csv", trade_csv(search_.scores(), comparison_), false);
 }
 
 Diagram Trade::diagram() {
-  const Document& document = ground_.scene.document;
+  const Document& document = comparison_.scene.document;
   return {document.title.empty() ? options_.scene.stem().string() : document.title, search_.scores(),
           scorer_.references().check.uncertainty, scorer_.references().total_uncertainty.rms,
           choose(search_.scores(), goal_)};
@@ -152,7 +142,7 @@ void Trade::advise(Advice& advice) {
 std::string Trade::advice_text(const Advice& advice) {
   if (!advice.chosen) return "No advice: no error is known.\n";
   const Score& chosen = *advice.chosen;
-  const Score& own = scorer_.score(notebook_.run({"the scene", Axis::scene, {}}, 0));
+  const Score& own = scorer_.score(notebook_.run(scene_case(), 0));
   std::string text = "Advice for " + goal_.text + ": " + chosen.run->which.label + ". ";
   if (!meets(chosen, goal_)) text += "Nothing that was measured is within it; this comes nearest. ";
   text += "Predicted: an error of " + error_text(*whole_error(chosen)) + ", at most " + percent(chosen.bound.rms) +
@@ -162,8 +152,8 @@ std::string Trade::advice_text(const Advice& advice) {
   if (whole_error(own))
     text += "The scene as it is: " + error_text(*whole_error(own)) + ", " + formatted("%.3g", own.run->work.median()) +
             " s. ";
-  if (ground_.shortened())
-    text += "All this holds for the first " + formatted("%.3g", ground_.seconds()) +
+  if (comparison_.shortened())
+    text += "All this holds for the first " + formatted("%.3g", comparison_.seconds()) +
             " s, not for the whole scene: errors grow with time. ";
   if (!chosen.total) text += "The error is that of time alone: no mesh error is known. ";
   return text + "To apply it: ritz record " + options_.scene.string() + " --settings " +
@@ -174,7 +164,7 @@ void Trade::write_json(const Advice& advice) {
   const References& references = scorer_.references();
   Json json;
   json.open_object().member("scene", options_.scene.string()).member("version", kVersion).member("goal", goal_.text);
-  json.member("compared_seconds", ground_.seconds()).member("depth", search_.plan().depth);
+  json.member("compared_seconds", comparison_.seconds()).member("depth", search_.plan().depth);
   json.key("reference").open_object();
   json.member("moved_by_halving", references.check.moved).member("second_scheme_apart", references.check.apart);
   json.member("uncertainty", references.check.uncertainty).member("agrees", references.check.agrees);

@@ -43,7 +43,7 @@ class Trade {
 
   Options options_;
   std::filesystem::path folder_;
-  Ground ground_;
+  Comparison comparison_;
   Goal goal_;
   Notebook notebook_;
   Scorer scorer_;

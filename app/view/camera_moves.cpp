@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 
 namespace app {
 namespace {

@@ -1,11 +1,10 @@
 #include "app/view/workbench.h"
 
-#include <cstdio>
 #include <utility>
 
 #include "app/base/output_file.h"
 #include "app/base/stopwatch.h"
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 #include "app/scene/scene_text.h"
 #include "app/view/camera_moves.h"
 
@@ -41,15 +40,6 @@ std::optional<Action> action_of(const WindowEvent& event) {
   if (event.letter == 'P') return Action::screenshot;
   if (event.letter == 'Q') return Action::quit;
   return std::nullopt;
-}
-
-std::string failure_text(const sim::System& system, const sim::StepReport& report) {
-  char where[80];
-  std::snprintf(where, sizeof where, "Step %lld (t = %.6g s) cannot be taken", static_cast<long long>(report.step),
-                system.time(report.step));
-  std::string text = where;
-  if (report.min_J_element >= 0) text += ", element " + std::to_string(report.min_J_element);
-  return text + ": " + report.failure + ". The state is the last good one.";
 }
 
 }  // namespace
@@ -146,7 +136,8 @@ bool Workbench::step() {
   const sim::StepReport report = session_->step();
   if (!report.failure.empty()) {
     playing_ = false;
-    message_ = failure_text(*simulation->system, report);
+    message_ =
+        "A step cannot be taken: " + failure_text(*simulation->system, report) + ". The state is the last good one.";
     return false;
   }
   message_.clear();
@@ -236,9 +227,9 @@ std::optional<std::filesystem::path> Workbench::take_screenshot() {
 
 void Workbench::refresh_picture(double aspect) {
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
-  if (sight_ && shown_ == simulation && aspect == aspect_) return;
+  if (drawn_ && shown_ == simulation && aspect == aspect_) return;
   Picture picture(*simulation->system, simulation->document, aspect);
-  sight_ = std::make_unique<const Sight>(Sight{simulation, std::move(picture), {}});
+  drawn_ = std::make_unique<const ShownScene>(ShownScene{simulation, std::move(picture), {}});
   shown_ = simulation;
   aspect_ = aspect;
   camera_.reset();
@@ -254,7 +245,7 @@ const render::Frame& Workbench::frame(int width, int height) {
                 .min_J = report_.min_J,
                 .report = report_};
   frames_.fill(largest_, moment);
-  frame_ = sight_->picture.frame(moment);
+  frame_ = drawn_->picture.frame(moment);
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
   if (grip && session_->pull()) {

@@ -10,7 +10,7 @@
 #include "app/options/options.h"
 #include "app/panel/panel.h"
 #include "app/picture/frame_history.h"
-#include "app/record/easel.h"
+#include "app/record/frame_renderer.h"
 #include "app/session/monitor.h"
 #include "app/session/session.h"
 #include "app/session/session_log.h"
@@ -73,10 +73,11 @@ class Workbench {
 
   FrameHistory frames_;                      // the energies and colours of the frames so far
   LargestShown largest_{};                   // the largest value of each kind that they have shown in colour
-  std::unique_ptr<const Sight> sight_;       // makes frames of a simulation
-  double aspect_ = 0;                        // width over height of the picture that sight_ was made for
-  std::shared_ptr<const Simulation> shown_;  // the simulation of now; where only the camera has moved since sight_
-  std::optional<render::Camera> camera_;     // was made, it keeps the older one, and this camera replaces that of its frames
+  std::unique_ptr<const ShownScene> drawn_;  // makes frames of a simulation
+  double aspect_ = 0;                        // width over height of the picture that drawn_ was made for
+  std::shared_ptr<const Simulation> shown_;  // the simulation of now; where only the camera has moved since drawn_
+  std::optional<render::Camera>
+      camera_;  // was made, it keeps the older one, and this camera replaces that of its frames
   render::Frame frame_;
 };
 

@@ -2,7 +2,6 @@
 
 #include "sim/element/list.h"
 #include "sim/mesh/geometry.h"
-#include "sim/mesh/input_error.h"
 
 namespace sim {
 
@@ -45,15 +44,13 @@ void for_each_element_mass(const Body& body, const std::vector<double>& density,
 
 Mass::Mass(const Body& body, const std::vector<double>& density, int first_node)
     : first_node_(first_node), nodal_(Eigen::VectorXd::Zero(body.mesh.node_count())) {
-  if (body.mass == "consistent") {
+  if (body.mass == MassMatrix::consistent) {
     Coupling coupling(body.mesh.node_count());
     for (int e = 0; e < body.mesh.element_count(); ++e)
       coupling.add({body.mesh.elements.col(e).data(), static_cast<std::size_t>(body.mesh.elements.rows())});
     consistent_.emplace();
     consistent_->pattern = coupling.pattern();
     consistent_->values.assign(consistent_->pattern.column.size(), 0.0);
-  } else if (body.mass != "lumped") {
-    throw InputError("mass", "\"" + body.mass + "\" is not a mass: lumped or consistent");
   }
   for_each_element_mass(body, density, [&](const auto& nodes, const auto& m, const auto& lumped) {
     const Eigen::VectorXd shares = consistent_ ? Eigen::VectorXd(m.rowwise().sum()) : Eigen::VectorXd(lumped(m));

@@ -218,16 +218,16 @@ void settle_substeps(Parts& parts) {
 void form_pattern(Parts& parts) {
   if (parts.scheme->is_explicit()) return;
   Model& model = parts.model;
-  const bool by_itself = model.solver.linear == "auto";
+  const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
   const bool flat = std::all_of(model.ranges.begin(), model.ranges.end(),
                                 [](const BodyRange& body) { return info(body.mesh->kind).dimension == 2; });
   model.solver.linear = settled_solver(model.solver.linear, model.dofs(), flat);
   if (by_itself)
-    parts.remarks.push_back(model.solver.linear == "pcg" ? "solver: conjugate gradients without a matrix, for this size"
-                            : model.solver.linear == "cholmod"
-                                ? "solver: CHOLMOD, as all bodies are flat"
-                                : "solver: conjugate gradients on the matrix; CHOLMOD from "
-                                  "where they take too long");
+    parts.remarks.push_back(
+        model.solver.linear == LinearSolverKind::pcg ? "solver: conjugate gradients without a matrix, for this size"
+        : model.solver.linear == LinearSolverKind::cholmod ? "solver: CHOLMOD, as all bodies are flat"
+                                                           : "solver: conjugate gradients on the matrix; CHOLMOD from "
+                                                             "where they take too long");
   if (!forms_matrix(model.solver.linear)) return;
   Coupling coupling(model.node_count);
   for (const Mass& mass : model.masses) mass.couple(coupling);
@@ -243,8 +243,6 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   auto parts = std::make_unique<Parts>();
   parts->scheme = find_scheme(scene.time.integrator);
   if (!parts->scheme) throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
-  definiteness(scene.solver.definiteness);
-  on_failure(scene.solver.on_failure);
   Model& model = parts->model;
   model.D = scene.dimension;
   model.threads = threads;
@@ -253,7 +251,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   model.bodies = scene.bodies;
   // Nothing is divided by the mass of a static scene; its weight is that of the true integrals.
   if (parts->scheme->is_static)
-    for (Body& body : model.bodies) body.mass = "consistent";
+    for (Body& body : model.bodies) body.mass = MassMatrix::consistent;
   place_nodes(model);
   place_start(model, scene.seed);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) add_body(model, b);

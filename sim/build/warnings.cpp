@@ -11,13 +11,13 @@ namespace {
 // Linear simplices lock where the material hardly changes its volume: they bend too little. [Hughes 1987, 4.4]
 void warn_of_locking(Parts& parts, const Body& body) {
   const ElementInfo& element = info(body.mesh.kind);
-  if (element.order != 1 || element.corners != element.dimension + 1 || element.dimension < parts.model.D) return;
+  if (element.order != 1 || !element.simplex() || !element.quadratic || element.dimension < parts.model.D) return;
   for (const MaterialSpec& material : body.materials)
     if (material.poisson >= 0.48)
       parts.remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
                               ") and Poisson's ratio " + std::to_string(material.poisson) +
                               " >= 0.48: it will bend too little; use element = \"" +
-                              (element.dimension == 3 ? "tet10" : "tri6") + "\"");
+                              std::string(info(*element.quadratic).name) + "\"");
 }
 
 // lambda < 0 where nu < 0: lambda/2 (J - 1)^2 falls without end as J grows, lambda/2 ln(J)^2 as J -> 0.

@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "sim/element/kind.h"
@@ -29,10 +31,23 @@ struct ElementInfo {
   int facet_nodes;              // per boundary facet: 2 (edge2), 3 (edge3 or tri3), 6 (tri6), 4 (quad4)
   std::span<const int> facets;  // local nodes, facet by facet, outward (right-hand rule; 2D: inside on the left)
   std::span<const std::array<int, 3>> edges;  // corner, corner, middle node (-1 for linear elements)
+  ElementKind linear;                         // with the corners only; itself when it is linear
+  std::optional<ElementKind> quadratic;       // with middle nodes as well; itself when it is quadratic
+  bool membrane;                              // of dimension 2: can lie in space too
+  double nodes_per_element;                   // of a large mesh, about
+  int vtk;                                    // its number among VTK's cell types
+  int gmsh;                                   // its number among Gmsh's element types
+  std::span<const int> gmsh_order;            // local node i is Gmsh's node gmsh_order[i]; empty: i
+
+  bool simplex() const { return corners == dimension + 1; }
 };
 
+// Of every element, in the order of list.h.
+std::span<const ElementInfo> elements();
 const ElementInfo& info(ElementKind kind);
 // nullptr when the name is not one of an element.
 const ElementInfo* find_element(std::string_view name);
+// The names of the elements that are right, as a message lists them: "tri3, tri6 or quad4".
+std::string element_list(bool (*right)(const ElementInfo&));
 
 }  // namespace sim

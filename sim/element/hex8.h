@@ -13,6 +13,9 @@ struct Hex8 {
   static constexpr ElementKind kind = ElementKind::hex8;
   static constexpr std::string_view name = "hex8";
   static constexpr int dimension = 3, nodes = 8, corners = 8, order = 1;
+  static constexpr bool membrane = false;
+  static constexpr double nodes_per_element = 1;
+  static constexpr int vtk = 12, gmsh = 5;
   static constexpr auto rule = cube_8;
   static constexpr auto mass_rule = cube_8;  // N_i N_j has degree 2 in each variable
 

@@ -13,6 +13,9 @@ struct Quad4 {
   static constexpr ElementKind kind = ElementKind::quad4;
   static constexpr std::string_view name = "quad4";
   static constexpr int dimension = 2, nodes = 4, corners = 4, order = 1;
+  static constexpr bool membrane = false;
+  static constexpr double nodes_per_element = 1;
+  static constexpr int vtk = 9, gmsh = 3;
   static constexpr auto rule = square_4;
   static constexpr auto mass_rule = square_4;  // N_i N_j has degree 2 in each variable
 

@@ -14,6 +14,11 @@ struct Tet10 : QuadraticSimplex<Tet10, Tet4> {
   static constexpr ElementKind kind = ElementKind::tet10;
   static constexpr std::string_view name = "tet10";
   static constexpr int dimension = 3, nodes = 10, corners = 4, order = 2;
+  static constexpr bool membrane = false;
+  static constexpr double nodes_per_element = 1.37;
+  static constexpr int vtk = 24, gmsh = 11;
+  static constexpr std::array<int, 10> gmsh_order = {0, 1, 2, 3, 4,
+                                                     5, 6, 7, 9, 8};  // the middle of 23 before that of 13
   static constexpr auto rule = tet_4;
   static constexpr auto mass_rule = tet_14;
 

@@ -13,6 +13,9 @@ struct Tet4 {
   static constexpr ElementKind kind = ElementKind::tet4;
   static constexpr std::string_view name = "tet4";
   static constexpr int dimension = 3, nodes = 4, corners = 4, order = 1;
+  static constexpr bool membrane = false;
+  static constexpr double nodes_per_element = 0.18;
+  static constexpr int vtk = 10, gmsh = 4;
   static constexpr auto rule = tet_1;
   static constexpr auto mass_rule = tet_4;
 

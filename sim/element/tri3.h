@@ -13,6 +13,9 @@ struct Tri3 {
   static constexpr ElementKind kind = ElementKind::tri3;
   static constexpr std::string_view name = "tri3";
   static constexpr int dimension = 2, nodes = 3, corners = 3, order = 1;
+  static constexpr bool membrane = true;
+  static constexpr double nodes_per_element = 0.5;
+  static constexpr int vtk = 5, gmsh = 2;
   static constexpr auto rule = triangle_1;
   static constexpr auto mass_rule = triangle_3;
 

@@ -14,6 +14,9 @@ struct Tri6 : QuadraticSimplex<Tri6, Tri3> {
   static constexpr ElementKind kind = ElementKind::tri6;
   static constexpr std::string_view name = "tri6";
   static constexpr int dimension = 2, nodes = 6, corners = 3, order = 2;
+  static constexpr bool membrane = true;
+  static constexpr double nodes_per_element = 2;
+  static constexpr int vtk = 22, gmsh = 9;
   static constexpr auto rule = triangle_3;
   static constexpr auto mass_rule = triangle_6;
 

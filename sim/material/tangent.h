@@ -2,12 +2,10 @@
 // its eigenvalues once the stretch block is diagonal. [Teran et al. 2005; Smith, de Goes, Kim 2019]
 #pragma once
 
+#include "sim/choices.h"
 #include "sim/math/symmetric_eigen.h"
 
 namespace sim {
-
-// What negative eigenvalues are multiplied by: none 1, clamp 0 [Teran et al. 2005], abs -1 [Chen et al. 2024].
-enum class Definiteness { none = 1, clamp = 0, abs = -1 };
 
 template <class T>
 T made_definite(const T& eigenvalue, Definiteness fix) {

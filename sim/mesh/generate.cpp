@@ -163,23 +163,21 @@ void add_sides(Mesh& mesh, const Eigen::MatrixXi& facets, int axis, double lengt
 
 Mesh generate(const Lattice& lattice, ElementKind kind) {
   const ElementInfo& element = info(kind);
-  const bool simplex = element.corners == lattice.dimension + 1;
-  const auto pieces = simplex ? kuhn_simplices(lattice.dimension) : whole_cell(lattice.dimension);
+  const auto pieces = element.simplex() ? kuhn_simplices(lattice.dimension) : whole_cell(lattice.dimension);
   check(lattice, static_cast<int>(pieces.size()), element.nodes);
   Mesh mesh;
-  const ElementKind simplex_kind = lattice.dimension == 2 ? ElementKind::tri3 : ElementKind::tet4;
-  mesh.kind = simplex ? simplex_kind : kind;
+  mesh.kind = element.linear;
   mesh.X = nodes(lattice);
-  mesh.elements = fill(lattice, pieces, simplex);
+  mesh.elements = fill(lattice, pieces, element.simplex());
   const Eigen::MatrixXi facets = boundary_facets(mesh);
   for (int a = 0; a < lattice.dimension; ++a) add_sides(mesh, facets, a, lattice.lengths[a]);
   return mesh.kind == kind ? mesh : to_quadratic(mesh);
 }
 
-void require(bool possible, const std::string& shape, ElementKind kind, const std::string& right) {
-  if (possible) return;
-  throw InputError("mesh.element",
-                   "a " + shape + " cannot have elements " + std::string(info(kind).name) + "; take " + right);
+void require(const std::string& shape, ElementKind kind, bool (*right)(const ElementInfo&)) {
+  if (right(info(kind))) return;
+  throw InputError("mesh.element", "a " + shape + " cannot have elements " + std::string(info(kind).name) + "; take " +
+                                       element_list(right));
 }
 
 Lattice flat(const Eigen::Vector2d& lengths, std::array<int, 2> cells, const Eigen::Vector2d& grading) {
@@ -188,21 +186,26 @@ Lattice flat(const Eigen::Vector2d& lengths, std::array<int, 2> cells, const Eig
 
 }  // namespace
 
+int elements_per_cell(ElementKind kind) {
+  const ElementInfo& element = info(kind);
+  return element.simplex() ? static_cast<int>(kuhn_simplices(element.dimension).size()) : 1;
+}
+
 Mesh generate_rectangle(const Eigen::Vector2d& lengths, std::array<int, 2> cells, const Eigen::Vector2d& grading,
                         ElementKind kind) {
-  require(info(kind).dimension == 2, "rectangle", kind, "tri3, tri6 or quad4");
+  require("rectangle", kind, [](const ElementInfo& element) { return element.dimension == 2; });
   return generate(flat(lengths, cells, grading), kind);
 }
 
 Mesh generate_box(const Eigen::Vector3d& lengths, std::array<int, 3> cells, const Eigen::Vector3d& grading,
                   ElementKind kind) {
-  require(info(kind).dimension == 3, "box", kind, "tet4, tet10 or hex8");
+  require("box", kind, [](const ElementInfo& element) { return element.dimension == 3; });
   return generate({3, lengths, cells, grading}, kind);
 }
 
 Mesh generate_sheet(const Eigen::Vector2d& lengths, std::array<int, 2> cells, const Eigen::Vector2d& grading,
                     ElementKind kind) {
-  require(kind == ElementKind::tri3 || kind == ElementKind::tri6, "sheet", kind, "tri3 or tri6");
+  require("sheet", kind, [](const ElementInfo& element) { return element.membrane; });
   Mesh mesh = generate(flat(lengths, cells, grading), kind);
   mesh.X.conservativeResizeLike(Eigen::MatrixXd::Zero(3, mesh.X.cols()));
   return mesh;

@@ -16,13 +16,16 @@ namespace sim {
 // have alternating diagonals and a mesh with even cell counts has the symmetries of its shape.
 // Throw InputError with key mesh.cells, mesh.size, mesh.grading or mesh.element.
 
-// tri3, tri6 or quad4 in the plane.
+// How many elements of this kind a cell is cut into.
+int elements_per_cell(ElementKind kind);
+
+// Elements of dimension 2, in the plane.
 Mesh generate_rectangle(const Eigen::Vector2d& lengths, std::array<int, 2> cells, const Eigen::Vector2d& grading,
                         ElementKind kind);
-// tet4, tet10 (six per cell) or hex8.
+// Elements of dimension 3.
 Mesh generate_box(const Eigen::Vector3d& lengths, std::array<int, 3> cells, const Eigen::Vector3d& grading,
                   ElementKind kind);
-// tri3 or tri6 in space, at z = 0.
+// Membranes in space, at z = 0.
 Mesh generate_sheet(const Eigen::Vector2d& lengths, std::array<int, 2> cells, const Eigen::Vector2d& grading,
                     ElementKind kind);
 

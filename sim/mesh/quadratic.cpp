@@ -30,8 +30,9 @@ Mesh to_quadratic(const Mesh& mesh) {
     }
   });
   if (!quadratic) {
+    const auto right = [](const ElementInfo& element) { return element.order == 1 && element.quadratic.has_value(); };
     throw InputError("mesh.element",
-                     std::string(info(mesh.kind).name) + " has no quadratic form here; take tri3 or tet4");
+                     std::string(info(mesh.kind).name) + " has no quadratic form here; take " + element_list(right));
   }
   return *quadratic;
 }

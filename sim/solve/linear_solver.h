@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "sim/solve/tangent_operator.h"
 #include "sim/state.h"
@@ -30,13 +29,11 @@ class LinearSolver {
   virtual const KeptFactor* kept() const { return nullptr; }
 };
 
-// "cholmod", "pcg" (forms no matrix), "pcg-assembled", or "auto": by size and by counts of iterations.
-// Throws InputError (key "solver.linear") for another name.
 std::unique_ptr<LinearSolver> make_linear_solver(const Model& model);
 
-// The solver that a name stands for at this size, and whether it forms a matrix.
+// The solver that a scene's choice stands for at this size, and whether it forms a matrix.
 // flat: all elements are triangles or quads.
-std::string settled_solver(const std::string& linear, Eigen::Index dofs, bool flat);
-bool forms_matrix(const std::string& settled);
+LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs, bool flat);
+bool forms_matrix(LinearSolverKind settled);
 
 }  // namespace sim

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/mesh/input_error.h"
 #include "sim/solve/stopwatch.h"
 
 namespace sim {
@@ -48,16 +47,9 @@ class Exactness {
 
 }  // namespace
 
-Definiteness definiteness(const std::string& name) {
-  if (name == "clamp") return Definiteness::clamp;
-  if (name == "abs") return Definiteness::abs;
-  if (name == "none") return Definiteness::none;
-  throw InputError("solver.definiteness", "\"" + name + "\" is not one of clamp, abs, none");
-}
-
 Newton::Newton(const Model& model, int threads)
     : model_(model),
-      fix_(definiteness(model.solver.definiteness)),
+      fix_(model.solver.definiteness),
       tangent_(model, threads),
       linear_(make_linear_solver(model)),
       f_(model.dofs()),

@@ -1,7 +1,6 @@
 // Newton's method on the potential of one stage: minimises 1/2 |x - (x* + g h v*)|_M^2 + (g h)^2 U(x).
 #pragma once
 
-#include "sim/mesh/input_error.h"
 #include "sim/report.h"
 #include "sim/solve/linear_solver.h"
 
@@ -49,8 +48,5 @@ class Newton {
   std::unique_ptr<LinearSolver> linear_;
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
 };
-
-// "clamp", "abs", "none". Throws InputError (key "solver.definiteness").
-Definiteness definiteness(const std::string& name);
 
 }  // namespace sim

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 #include "sim/build/parts.h"
@@ -109,14 +108,6 @@ class Rest {
   double moved_ = 1;  // in the time of a wave or of a step, whichever is longer [body sizes]
   int quiet_ = 0;
 };
-
-std::string failure_text(const System& system, const StepReport& report) {
-  std::ostringstream text;
-  text << "step " << report.step << ", t = " << system.time(report.step) << " s";
-  if (report.min_J_element >= 0) text << ", element " << report.min_J_element;
-  text << ": " << report.failure;
-  return text.str();
-}
 
 void add(const StepReport& report, Recovery& r) {
   r.min_J = r.steps == 0 ? report.min_J : std::min(r.min_J, report.min_J);

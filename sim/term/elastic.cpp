@@ -23,8 +23,9 @@ std::unique_ptr<ElasticTerm> make_elastic(const ElasticInput& input, int D) {
       return make_elastic_of<E, 3>(input);
     } else {
       if (D == 2) return make_elastic_of<E, 2>(input);
-      if constexpr (E::kind == ElementKind::quad4)
-        throw InputError("mesh", "quad4 is for plane scenes; a membrane in space takes tri3 or tri6");
+      if constexpr (!E::membrane)
+        throw InputError("mesh", std::string(E::name) + " is for plane scenes; a membrane in space takes " +
+                                     element_list([](const ElementInfo& element) { return element.membrane; }));
       else
         return make_elastic_of<E, 3>(input);
     }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "sim/mesh/input_error.h"
 #include "sim/solve/stopwatch.h"
 #include "sim/time/finish.h"
 
@@ -14,19 +13,8 @@ constexpr int most_halvings = 4;  // of a step: 16 parts at most
 
 }  // namespace
 
-OnFailure on_failure(const std::string& name) {
-  if (name == "split") return OnFailure::split;
-  if (name == "accept") return OnFailure::accept;
-  if (name == "stop") return OnFailure::stop;
-  throw InputError("solver.on_failure", "\"" + name + "\" is not one of split, accept, stop");
-}
-
 ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
-    : model_(model),
-      scheme_(scheme),
-      on_failure_(on_failure(model.solver.on_failure)),
-      newton_(model, threads),
-      begin_(most_halvings + 1) {
+    : model_(model), scheme_(scheme), newton_(model, threads), begin_(most_halvings + 1) {
   for (Eigen::VectorXd* v :
        {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &x_lagged_, &v_lagged_, &force_})
     v->resize(model.dofs());
@@ -167,9 +155,9 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   };
   const Scheme &own = scheme_of(interval), &euler = *find_scheme("backward-euler");
   if (solved(own)) return true;
-  if (on_failure_ == OnFailure::stop && report.failure.empty())
+  if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
-  if (on_failure_ != OnFailure::split || scheme_.is_static) return report.failure.empty();
+  if (model_.solver.on_failure != OnFailure::split || scheme_.is_static) return report.failure.empty();
   // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
   // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
   in_vain_ = in_vain_ || depth == most_halvings;

@@ -9,11 +9,6 @@
 namespace sim {
 
 // What is done with a step whose equations are not solved: take it again in halves, accept it, or stop.
-enum class OnFailure { split, accept, stop };
-
-// "split", "accept", "stop". Throws InputError (key "solver.on_failure").
-OnFailure on_failure(const std::string& name);
-
 class ImplicitStepper final : public Stepper {
  public:
   ImplicitStepper(const Model& model, const Scheme& scheme, int threads);
@@ -34,7 +29,6 @@ class ImplicitStepper final : public Stepper {
 
   const Model& model_;
   const Scheme& scheme_;
-  OnFailure on_failure_;
   Newton newton_;
   bool in_vain_ = false;      // halving did not help in the step under way
   State next_;                // the step under way; the caller's state is untouched until it is done

@@ -1,6 +1,6 @@
 // The log that a session leaves, and its replay.
 #include "app/base/exit_code.h"
-#include "app/base/hexadecimal.h"
+#include "app/base/text.h"
 #include "app/command/commands.h"
 #include "app/session/session_file.h"
 #include "tests/app/workbench_scene.h"
@@ -86,6 +86,33 @@ TEST_F(Replay, OfASessionWithoutInputsIsTheRecording) {
   }
 }
 
+// What run.json says behind a name, to the end of the line.
+std::string said(const std::filesystem::path& run_json, const std::string& name) {
+  const std::string text = read_all(run_json), key = "\"" + name + "\": ";
+  const std::size_t at = text.find(key);
+  if (at == std::string::npos) return "not said";
+  return text.substr(at + key.size(), text.find_first_of(",\n", at) - at - key.size());
+}
+
+TEST_F(Replay, CountsWhatARunCounts) {
+  Options hard = logged();
+  hard.overrides = {{"solver.max_iterations", "1", "--set"}};
+  {
+    Workbench bench(hard, std::make_unique<Session>(hard));
+    for (int k = 0; k < 20; ++k) key(bench, render::Key::right);
+    bench.finish();
+  }
+  ASSERT_EQ(record(replayed("one")), kDone);
+  Options plain = options();
+  plain.overrides = hard.overrides;
+  plain.out = folder_ / "plain";
+  ASSERT_EQ(record(plain), kDone);
+  EXPECT_GT(std::stoi(said(folder_ / "one/run.json", "steps_halved")), 0);
+  for (const char* const name : {"newton_iterations", "linear_iterations", "steps_not_converged", "steps_halved",
+                                 "not_converged_reason", "min_J", "inverted_elements", "no_memory_for_factor"})
+    EXPECT_EQ(said(folder_ / "one/run.json", name), said(folder_ / "plain/run.json", name)) << name;
+}
+
 TEST_F(Replay, KeepsTheOptionsOfTheSession) {
   Options view = logged();
   view.overrides = {{"world.gravity", "[0, -2, 0]", "--set"}};
@@ -107,8 +134,8 @@ TEST_F(Replay, ABrokenSessionIsRefusedWithItsLine) {
   };
   const std::string head = "scene = \"beam.toml\"\n";
   for (const Case& c :
-       {Case{"[[input]]\nstep = 3\ndo = \"jump\"\n", ":4: do = \"jump\": must be one of set, camera"},
-        Case{"[[input]]\nstep = -1\ndo = \"reset\"\n", ":3: step = -1: must be an integer >= 0"},
+       {Case{"[[input]]\nstep = 3\ndo = \"jump\"\n", ":4: do = \"jump\": must be one of \"set\", \"camera\""},
+        Case{"[[input]]\nstep = -1\ndo = \"reset\"\n", ":3: step = -1: must be >= 0"},
         Case{"[[input]]\ndo = \"reset\"\n", ":2: 'step' is missing"},
         Case{"[[input]]\nstep = 1\ndo = \"set\"\nkey = \"time.fps\"\n", "'value' is missing"},
         Case{"[[input]]\nstep = 1\ndo = \"reset\"\nstpe = 2\n", ":5: unknown key 'stpe'"},

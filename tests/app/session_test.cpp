@@ -2,11 +2,10 @@
 #include "app/session/session.h"
 
 #include "app/base/exit_code.h"
-#include "app/base/hexadecimal.h"
+#include "app/base/text.h"
 #include "app/command/commands.h"
 #include "app/run/state_file.h"
 #include "app/scene/scene_text.h"
-#include "app/session/effect.h"
 #include "tests/app/session_scene.h"
 
 namespace app {
@@ -237,14 +236,50 @@ TEST_F(SessionTest, TheHistoryIsBounded) {
 }
 
 TEST(Effect, EveryKeyHasTheOneThatItsTableSays) {
-  EXPECT_EQ(effect_of(*find_key("look.colour")), Effect::look);
-  EXPECT_EQ(effect_of(*find_key("camera.target")), Effect::look);
-  EXPECT_EQ(effect_of(*find_key("body[].mesh.cells")), Effect::restart);
-  EXPECT_EQ(effect_of(*find_key("time.fps")), Effect::restart);
-  EXPECT_EQ(effect_of(*find_key("body[].velocity")), Effect::start);
-  for (const char* live : {"time.integrator", "time.step", "solver.linear", "world.gravity", "body[].material.model",
-                           "body[].damping.beta", "body[].pin[].release", "obstacle[].friction"}) {
-    EXPECT_EQ(effect_of(*find_key(live)), Effect::motion) << live;
+  for (const auto& [path, effect] : {std::pair("look.colour", Effect::look),
+                                     std::pair("camera.target", Effect::look),
+                                     std::pair("camera.keyframes[].1.turn", Effect::look),
+                                     std::pair("body[].mesh.cells", Effect::restart),
+                                     std::pair("body[].mesh.rotate.axis", Effect::restart),
+                                     std::pair("time.fps", Effect::restart),
+                                     std::pair("body[].name", Effect::restart),
+                                     std::pair("body[].region[].group", Effect::restart),
+                                     std::pair("body[].velocity", Effect::start),
+                                     std::pair("body[].spin.rate", Effect::start),
+                                     std::pair("body[].start.shape", Effect::start),
+                                     std::pair("body[].start.perturbation", Effect::start),
+                                     std::pair("seed", Effect::start),
+                                     std::pair("body[].untangle", Effect::motion),
+                                     std::pair("time.integrator", Effect::motion),
+                                     std::pair("time.step", Effect::motion),
+                                     std::pair("solver.linear", Effect::motion),
+                                     std::pair("world.gravity", Effect::motion),
+                                     std::pair("body[].material.model", Effect::motion),
+                                     std::pair("body[].damping.beta", Effect::motion),
+                                     std::pair("body[].pin[].release", Effect::motion),
+                                     std::pair("obstacle[].friction", Effect::motion)})
+    EXPECT_EQ(find_key(path)->effect, effect) << path;
+}
+
+// What the panel says of such a key is what happens: nothing that is seen until the reset.
+TEST_F(SessionScene, AKeyOfTheStartTellsAtTheReset) {
+  for (const auto& [key, value] : {std::pair("body.0.start.shape", "\"twisted\""), std::pair("seed", "7"),
+                                   std::pair("body.0.start.perturbation", "0.02"),
+                                   std::pair("body.0.velocity", "[0, 0, 1]"), std::pair("body.0.spin.rate", "3")}) {
+    SCOPED_TRACE(key);
+    Indices indices{};
+    ASSERT_EQ(find_key_at(key, indices)->effect, Effect::start);
+    Session session(options());
+    session.apply(SetKey{"body.0.start.perturbation", "0.01"});  // so that the seed has something to decide
+    session.apply(Reset{});
+    const std::uint64_t begun = hash_of(session);
+    take(session, 3);
+    const Eigen::VectorXd x = session.state().x, v = session.state().v;
+    session.apply(SetKey{key, value});
+    EXPECT_EQ(session.state().x, x);
+    EXPECT_EQ(session.state().v, v);
+    session.apply(Reset{});
+    EXPECT_NE(hash_of(session), begun);
   }
 }
 

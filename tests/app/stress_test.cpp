@@ -15,13 +15,13 @@
 namespace app {
 namespace {
 
-std::set<std::string> names(const std::vector<StressCase>& cases) {
+std::set<std::string> names(const std::vector<StabilityCase>& cases) {
   std::set<std::string> all;
-  for (const StressCase& c : cases) all.insert(c.name());
+  for (const StabilityCase& c : cases) all.insert(c.name());
   return all;
 }
 
-TEST(Stress, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
+TEST(Stability, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
   const auto subjects = built_in_subjects(false);
   const auto rows = extremes();
   const auto cases = make_cases(subjects, rows, {});
@@ -38,7 +38,7 @@ TEST(Stress, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
   EXPECT_FALSE(all.contains("start/mirrored tri3 sheet stable-neo-hookean backward-euler"));
 }
 
-TEST(Stress, OnlyAndQuickThinItOut) {
+TEST(Stability, OnlyAndQuickThinItOut) {
   const auto subjects = built_in_subjects(true);
   const auto rows = extremes();
   const auto quick = make_cases(subjects, rows, {.quick = true, .only = ""});
@@ -52,10 +52,10 @@ TEST(Stress, OnlyAndQuickThinItOut) {
 }
 
 // Every scene of the matrix can be built, or is refused for a reason that is told.
-TEST(Stress, EveryCaseIsASceneThatCanBeBuilt) {
+TEST(Stability, EveryCaseIsASceneThatCanBeBuilt) {
   const auto subjects = built_in_subjects(false);
   const auto rows = extremes();
-  for (const StressCase& c : make_cases(subjects, rows, {})) {
+  for (const StabilityCase& c : make_cases(subjects, rows, {})) {
     try {
       const sim::System system(c.scene());
       EXPECT_GE(c.steps, 100) << c.name();
@@ -65,7 +65,7 @@ TEST(Stress, EveryCaseIsASceneThatCanBeBuilt) {
   }
 }
 
-TEST(Stress, AScenesOwnBodyIsFreedOfItsLoads) {
+TEST(Stability, AScenesOwnBodyIsFreedOfItsLoads) {
   const TemporaryFolder folder;
   write_all(folder / "a.toml",
             "[time]\nfps = 24\nintegrator = \"sdirk2\"\n[[body]]\nname = \"b\"\nmesh = { box = [1, 1, 1], cells = [1, "
@@ -80,7 +80,7 @@ TEST(Stress, AScenesOwnBodyIsFreedOfItsLoads) {
   EXPECT_EQ(subject.scene.world.gravity.norm(), 0);
 }
 
-TEST(Stress, TableAndCsvSayTheSame) {
+TEST(Stability, TableAndCsvSayTheSame) {
   Subject subject = built_in_subjects(true).front();
   const auto rows = extremes();
   CaseResult result;
@@ -92,11 +92,11 @@ TEST(Stress, TableAndCsvSayTheSame) {
   result.recovery.reason = "solver.max_iterations reached";
   CaseResult refused;
   refused.refused = "has a \"reason\", and more";
-  const std::vector<StressCase> cases = {{&subject, &rows[0], 3, 10}, {&subject, &rows[1], 3, 10}};
+  const std::vector<StabilityCase> cases = {{&subject, &rows[0], 3, 10}, {&subject, &rows[1], 3, 10}};
   const std::string row = table_row(cases[0], result);
   EXPECT_NE(row.find("other equilibrium"), std::string::npos);
   EXPECT_NE(row.find(" 2.50 "), std::string::npos) << row;  // iterations a step
-  const std::string csv = stress_csv(cases, {result, refused});
+  const std::string csv = stability_csv(cases, {result, refused});
   EXPECT_NE(csv.find("\"start/scrambled\",3,\"tet4\",\"stable-neo-hookean\",backward-euler,\"other equilibrium\""),
             std::string::npos)
       << csv;
@@ -105,7 +105,7 @@ TEST(Stress, TableAndCsvSayTheSame) {
   EXPECT_NE(table_summary(cases, {result, refused}).find("2 cases: 1 other equilibrium, 1 refused"), std::string::npos);
 }
 
-TEST(Stress, TheCommandLeavesItsCsvAndOverwritesNone) {
+TEST(Stability, TheCommandLeavesItsCsvAndOverwritesNone) {
   const TemporaryFolder folder;
   Options options;
   options.command = "stress";

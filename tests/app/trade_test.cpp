@@ -94,9 +94,9 @@ TEST_F(TradeTest, ARunThatExistsIsNotMadeAgain) {
 TEST_F(TradeTest, JobsAndCollectEqualOneProcess) {
   Options with = options();
   with.out = folder_ / "jobs";
-  const Ground ground = make_ground(with);
-  const Plan plan{4, ground.scene.last_frame()};
-  const std::size_t jobs = independent_cases(ground.scene.document, plan, false).size();
+  const Comparison comparison = make_comparison(with);
+  const Plan plan{4, comparison.scene.last_frame()};
+  const std::size_t jobs = independent_cases(comparison.scene.document, plan, false).size();
   for (std::size_t k = 0; k < jobs; ++k) {
     Options one = with;
     one.trade.one_case = static_cast<int>(k);
@@ -141,7 +141,7 @@ TEST_F(TradeTest, LeavesAdviceThatIsASettingsFile) {
 TEST_F(TradeTest, AFolderIsForOneScene) {
   const Interrupt interrupt;
   Options with = options();
-  make_ground(with);
+  make_comparison(with);
   { Trade trade(with, folder_ / "trade", kNoClock, interrupt); }
   with.overrides.push_back({"body.0.material.young", "1e5", "--set body.0.material.young=1e5"});
   EXPECT_NE(error_of([&] { Trade(with, folder_ / "trade", kNoClock, interrupt); }).find("another scene"),
@@ -151,11 +151,11 @@ TEST_F(TradeTest, AFolderIsForOneScene) {
 }
 
 TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
-  const Ground ground = make_ground(options());
+  const Comparison comparison = make_comparison(options());
   const auto id = [&](const std::string& key, const std::string& value) {
     Options changed = options();
     if (!key.empty()) changed.overrides.push_back({key, value, key});
-    return case_id(ground, build_simulation(changed).identity);
+    return case_id(comparison, build_simulation(changed).identity);
   };
   const std::uint64_t same = id("", "");
   EXPECT_EQ(id("title", "other"), same);
@@ -165,17 +165,17 @@ TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
                                                                      {"time.substeps", "2"},
                                                                      {"solver.tolerance", "1e-5"}})
     EXPECT_NE(id(key, value), same) << key;
-  Ground shorter = make_ground(options());
+  Comparison shorter = make_comparison(options());
   shorter.stretch = stretch_of(shorter, 6);
   EXPECT_NE(case_id(shorter, shorter.scene.identity), same);
 }
 
 TEST_F(TradeTest, RunsAreReadBackAsTheyWere) {
   const Interrupt interrupt;
-  const Ground ground = make_ground(options());
+  const Comparison comparison = make_comparison(options());
   const TradeCase which = with({"a \"case\"", Axis::rest, {}}, "tight", "solver.tolerance", "1e-8");
   const CaseRun run =
-      run_case(ground, which, build_simulation(options_of(ground.options, which)), {kNoClock, 0}, interrupt);
+      run_case(comparison, which, build_simulation(options_of(comparison.options, which)), {kNoClock, 0}, interrupt);
   ASSERT_EQ(run.status, CaseStatus::done) << run.reason;
   const std::string bytes = encode(run);
   const auto read = decode_case(bytes);

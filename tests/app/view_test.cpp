@@ -1,9 +1,9 @@
-#include "app/picture/view.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "app/picture/stage.h"
 
 namespace app {
 namespace {

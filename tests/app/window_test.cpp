@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "app/base/hexadecimal.h"
+#include "app/base/text.h"
 #include "app/session/session_file.h"
 #include "render/compare.h"
 #include "render/png.h"

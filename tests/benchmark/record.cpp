@@ -45,11 +45,13 @@ void draw_encode_write(benchmark::State& state) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "ritz-benchmark-frames";
   std::filesystem::create_directories(folder);
   const auto make = [] {
-    struct Easel {
+    struct Drawing {
       std::unique_ptr<render::Context> context = render::make_offscreen_context();
       render::Renderer renderer{*context, 1280, 720, 4};
     };
-    return [easel = std::make_shared<Easel>()](const render::Frame& picture) { return easel->renderer.draw(picture); };
+    return [drawing = std::make_shared<Drawing>()](const render::Frame& picture) {
+      return drawing->renderer.draw(picture);
+    };
   };
   std::atomic<int> number = 0;
   const auto write = [&](const render::Image& image) {

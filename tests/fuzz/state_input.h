@@ -7,14 +7,14 @@
 #include <string>
 #include <string_view>
 
-#include "app/base/checksum.h"
 #include "app/run/state_file.h"
+#include "sim/math/checksum.h"
 
 namespace app {
 
 inline bool try_state_input(std::string_view input) {
   std::string bytes(input);
-  const std::uint64_t sum = checksum(input);
+  const std::uint64_t sum = sim::checksum(input);
   for (int i = 0; i < 8; ++i) bytes.push_back(static_cast<char>(sum >> (8 * i) & 0xff));
   try {
     const SavedRun run = decode(bytes, "state.bin");

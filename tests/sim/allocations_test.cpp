@@ -80,7 +80,8 @@ TEST(Allocations, NoneInAStepAfterTheFirst) {
   if (!test::can_count_allocations()) GTEST_SKIP();
   for (const char* integrator :
        {"symplectic-euler", "central-difference", "backward-euler", "sdirk2", "tr-bdf2", "bdf2"})
-    for (const char* linear : {"cholmod", "pcg", "pcg-assembled"}) {
+    for (const LinearSolverKind linear :
+         {LinearSolverKind::cholmod, LinearSolverKind::pcg, LinearSolverKind::pcg_assembled}) {
       Scene scene = test::beam("tet4", 2);
       scene.time.integrator = integrator;
       scene.time.substeps = 20;
@@ -91,7 +92,7 @@ TEST(Allocations, NoneInAStepAfterTheFirst) {
       test::start_counting();
       run.stepper->step(run.state);
       const long count = test::stop_counting();
-      EXPECT_EQ(count, 0) << integrator << " " << linear;
+      EXPECT_EQ(count, 0) << integrator << " " << name_of(linear);
     }
 }
 

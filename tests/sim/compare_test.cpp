@@ -90,7 +90,7 @@ TEST(Compare, WeightsAreTheMassWhateverTheMassMatrix) {
   for (const char* element : {"tet4", "tet10", "hex8"}) {
     Scene scene = test::free_body({element, false}, "linear");
     const SamplePoints lumped = sample_points(System(scene));
-    scene.bodies[0].mass = "consistent";
+    scene.bodies[0].mass = MassMatrix::consistent;
     const SamplePoints consistent = sample_points(System(scene));
     EXPECT_NEAR(lumped.mass.sum(), 1.2 * 1 * 0.9 * 1000, 1e-9) << element;
     EXPECT_NEAR(consistent.mass.sum(), lumped.mass.sum(), 1e-9) << element;

@@ -290,5 +290,43 @@ TEST(Element, InfoAgreesWithTheList) {
   EXPECT_EQ(info(ElementKind::hex8).edges.size(), 12u);
 }
 
+TEST(ElementTable, PartnersDifferByTheirMiddleNodesOnly) {
+  for (const ElementInfo& element : elements()) {
+    SCOPED_TRACE(element.name);
+    const ElementInfo& linear = info(element.linear);
+    EXPECT_EQ(linear.order, 1);
+    EXPECT_EQ(linear.dimension, element.dimension);
+    EXPECT_EQ(linear.nodes, element.corners);
+    EXPECT_EQ(element.order == 1, element.linear == element.kind);
+    if (!element.quadratic) continue;
+    const ElementInfo& quadratic = info(*element.quadratic);
+    EXPECT_EQ(quadratic.order, 2);
+    EXPECT_EQ(quadratic.linear, element.linear);
+    EXPECT_EQ(quadratic.nodes, element.corners + static_cast<int>(element.edges.size()));
+  }
+  EXPECT_EQ(find_element("tri3")->quadratic, ElementKind::tri6);
+  EXPECT_EQ(find_element("tet4")->quadratic, ElementKind::tet10);
+  EXPECT_FALSE(find_element("hex8")->quadratic.has_value());
+}
+
+// The VTK User's Guide, "VTK file formats"; the Gmsh reference manual, "MSH file format".
+TEST(ElementTable, HasTheNumbersOfVtkAndGmsh) {
+  struct Numbers {
+    const char* name;
+    int vtk, gmsh;
+  };
+  for (const Numbers& is : {Numbers{"tri3", 5, 2}, Numbers{"tri6", 22, 9}, Numbers{"quad4", 9, 3},
+                            Numbers{"tet4", 10, 4}, Numbers{"tet10", 24, 11}, Numbers{"hex8", 12, 5}}) {
+    EXPECT_EQ(find_element(is.name)->vtk, is.vtk) << is.name;
+    EXPECT_EQ(find_element(is.name)->gmsh, is.gmsh) << is.name;
+  }
+}
+
+TEST(ElementTable, IsListedAsMessagesDo) {
+  EXPECT_EQ(element_list([](const ElementInfo& e) { return e.dimension == 2; }), "tri3, tri6 or quad4");
+  EXPECT_EQ(element_list([](const ElementInfo& e) { return e.membrane; }), "tri3 or tri6");
+  EXPECT_EQ(element_list([](const ElementInfo& e) { return e.corners == 8; }), "hex8");
+}
+
 }  // namespace
 }  // namespace sim

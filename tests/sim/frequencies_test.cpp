@@ -42,7 +42,7 @@ TEST(Frequencies, OfTheCantileverWithinHalfAPerCent) {
   const double reference[] = {0.30792, 0.30792, 1.13023, 1.55922, 1.55922, 1.98902};
   Scene scene = test::beam("tet10", 2, 1e6, 0.3);
   scene.bodies[0].mesh = generate_box({4, 1, 1}, {12, 4, 4}, {1.6, 1, 1}, ElementKind::tet10);
-  scene.bodies[0].mass = "consistent";
+  scene.bodies[0].mass = MassMatrix::consistent;
   const Eigen::VectorXd found = frequencies(scene, 6);
   ASSERT_EQ(found.size(), 6);
   for (int k = 0; k < 6; ++k) EXPECT_NEAR(found[k] / reference[k], 1, 0.005) << "frequency " << k + 1;
@@ -52,7 +52,7 @@ TEST(Frequencies, OfTheCantileverWithinHalfAPerCent) {
 TEST(Frequencies, AreUpperBoundsThatRefiningLowers) {
   const double reference[] = {0.30792, 0.30792, 1.13023, 1.55922, 1.55922, 1.98902};
   Scene scene = test::beam("tet4", 2, 1e6, 0.3);
-  scene.bodies[0].mass = "consistent";
+  scene.bodies[0].mass = MassMatrix::consistent;
   const Eigen::VectorXd coarse = frequencies(scene, 6);
   scene.bodies[0].mesh = refine(scene.bodies[0].mesh);
   const Eigen::VectorXd fine = frequencies(scene, 6);

@@ -34,7 +34,7 @@ class NoMemory : public testing::Test {
     SuiteSparse_config.calloc_func = std::calloc;
     SuiteSparse_config.realloc_func = std::realloc;
   }
-  static Scene scene(const char* linear) {
+  static Scene scene(LinearSolverKind linear) {
     Scene scene = test::beam("tet4", 4);
     scene.solver.linear = linear;
     return scene;
@@ -42,10 +42,10 @@ class NoMemory : public testing::Test {
 };
 
 TEST_F(NoMemory, ForTheFactorMeansConjugateGradientsWithoutMatrix) {
-  test::Stepped plain(scene("pcg"));
+  test::Stepped plain(scene(LinearSolverKind::pcg));
   plain.steps(5);
   for (const std::size_t bytes : {0UL, 100'000UL}) {  // none for the analysis; some, but none for the factor
-    test::Stepped run(scene("cholmod"));
+    test::Stepped run(scene(LinearSolverKind::cholmod));
     most_bytes = bytes;
     run.steps(1);
     EXPECT_TRUE(run.last.no_factor) << bytes;
@@ -57,10 +57,10 @@ TEST_F(NoMemory, ForTheFactorMeansConjugateGradientsWithoutMatrix) {
 }
 
 TEST_F(NoMemory, ForTheFactorOfASavedRunMeansThatToo) {
-  test::Stepped first(scene("cholmod"));
+  test::Stepped first(scene(LinearSolverKind::cholmod));
   first.steps(3);
   EXPECT_FALSE(first.last.no_factor);
-  test::Stepped resumed(scene("cholmod"));
+  test::Stepped resumed(scene(LinearSolverKind::cholmod));
   resumed.state = first.state;
   most_bytes = 0;
   resumed.steps(1);

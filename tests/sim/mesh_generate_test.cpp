@@ -93,6 +93,19 @@ TEST(Generate, CountsNodesAndElements) {
   EXPECT_EQ(generate_box({1, 1, 1}, {3, 2, 4}, {1, 1, 1}, ElementKind::hex8).element_count(), 24);
 }
 
+TEST(Generate, NodesPerElementAreAboutWhatTheElementSays) {
+  constexpr int n = 16;  // the boundary adds (1 + 1/n)^3 at most
+  for (const ElementInfo& element : elements()) {
+    const Mesh mesh = element.dimension == 2 ? generate_rectangle({1, 1}, {n, n}, {1, 1}, element.kind)
+                                             : generate_box({1, 1, 1}, {n, n, n}, {1, 1, 1}, element.kind);
+    const int cells = element.dimension == 2 ? n * n : n * n * n;
+    EXPECT_EQ(mesh.element_count(), cells * elements_per_cell(element.kind)) << element.name;
+    const double ratio = double(mesh.node_count()) / mesh.element_count() / element.nodes_per_element;
+    EXPECT_GT(ratio, 1) << element.name;
+    EXPECT_LT(ratio, 1.25) << element.name;
+  }
+}
+
 TEST(Generate, GradingFollowsThePower) {
   const Mesh mesh = generate_rectangle({3, 2}, {4, 2}, {2, 0.5}, ElementKind::quad4);
   for (int i = 0; i <= 4; ++i) EXPECT_DOUBLE_EQ(mesh.X(0, i), 3 * std::pow(i / 4.0, 2));

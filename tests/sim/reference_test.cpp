@@ -28,7 +28,7 @@ TEST(Reference, DynamicCantileverWithinOnePerCentAtEveryFrame) {
   Body& body = scene.bodies[0];
   body.mesh = generate_box({4, 1, 1}, {10, 3, 3}, {1.6, 1, 1}, ElementKind::tet10);
   body.materials[0].model = "neo-hookean";
-  body.mass = "consistent";
+  body.mass = MassMatrix::consistent;
   scene.time.integrator = "sdirk2";
   const auto tip = reference_tip();
   ASSERT_GT(tip.size(), 600u);
@@ -47,7 +47,7 @@ double static_deflection(const char* element, std::array<int, 3> cells, double p
   Scene scene = test::beam(element, 1, 1e6, poisson);
   scene.bodies[0].mesh = generate_box({4, 1, 1}, cells, {1.6, 1, 1}, find_element(element)->kind);
   scene.time.integrator = "static";
-  scene.solver.definiteness = "none";
+  scene.solver.definiteness = Definiteness::none;
   scene.solver.tolerance = 1e-7;
   scene.solver.max_iterations = 200;
   test::Stepped run(scene, 2);

@@ -37,7 +37,7 @@ TEST(FreeFall, IsExact) {
 
 TEST(SameBits, ForAnyNumberOfThreads) {
   for (const char* element : {"tet4", "tet10", "hex8"})
-    for (const char* linear : {"cholmod", "pcg"}) {
+    for (const LinearSolverKind linear : {LinearSolverKind::cholmod, LinearSolverKind::pcg}) {
       Scene scene = test::beam(element, 2);
       scene.solver.linear = linear;
       Stepped one(scene, 1), two(scene, 2), four(scene, 4);
@@ -102,9 +102,9 @@ TEST(Explicit, FormsNoMatrix) {
   EXPECT_FALSE(parts_of(run.system).model.pattern.has_value());
   EXPECT_EQ(run.system.counts().nonzeros, 0);
   scene.time.integrator = "backward-euler";
-  scene.solver.linear = "pcg";
+  scene.solver.linear = LinearSolverKind::pcg;
   EXPECT_FALSE(parts_of(System(scene)).model.pattern.has_value()) << "matrix-free";
-  scene.solver.linear = "cholmod";
+  scene.solver.linear = LinearSolverKind::cholmod;
   EXPECT_TRUE(parts_of(System(scene)).model.pattern.has_value());
 }
 
@@ -165,7 +165,7 @@ TEST(Solvers, AgreeWithEachOther) {
   scene.solver.tolerance = 1e-11;
   Vec3 tip[4];
   int k = 0;
-  for (const char* linear : {"cholmod", "pcg", "pcg-assembled", "auto"}) {
+  for (const auto& [linear, name] : choices<LinearSolverKind>) {
     scene.solver.linear = linear;
     Stepped run(scene);
     run.steps(10);

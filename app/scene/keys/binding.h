@@ -12,88 +12,48 @@
 namespace app {
 
 // Field -> value.
-inline Value to_value(bool x) {
-  return x;
-}
-inline Value to_value(int x) {
-  return std::int64_t{x};
-}
-inline Value to_value(std::uint64_t x) {
-  return static_cast<std::int64_t>(x);
-}
-inline Value to_value(double x) {
-  return x;
-}
-inline Value to_value(const std::string& x) {
-  return x;
-}
-inline Value to_value(const std::filesystem::path& x) {
-  return x.string();
-}
-inline Value to_value(const Vec3& x) {
-  return std::vector<double>{x.begin(), x.end()};
-}
-inline Value to_value(const std::array<double, 2>& x) {
-  return std::vector<double>{x.begin(), x.end()};
-}
-inline Value to_value(const std::vector<double>& x) {
-  return x;
-}
-inline Value to_value(const std::vector<int>& x) {
-  return std::vector<double>{x.begin(), x.end()};
-}
-inline Value to_value(const sim::InGroup& x) {
-  return x.name;
-}
-inline Value to_value(const sim::Sphere& x) {
-  return std::vector<double>{x.centre[0], x.centre[1], x.centre[2], x.radius};
-}
-inline Value to_value(const sim::Box& x) {
-  return std::vector<double>{x.low[0], x.low[1], x.low[2], x.high[0], x.high[1], x.high[2]};
+template <class T>
+Value to_value(const T& x) {
+  if constexpr (std::is_enum_v<T>)
+    return std::string(sim::name_of(x));  // of sim/choices.h
+  else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    return static_cast<std::int64_t>(x);
+  else if constexpr (std::is_same_v<T, std::filesystem::path>)
+    return x.string();
+  else if constexpr (std::is_same_v<T, sim::InGroup>)
+    return x.name;
+  else if constexpr (std::is_same_v<T, sim::Sphere>)
+    return std::vector<double>{x.centre[0], x.centre[1], x.centre[2], x.radius};
+  else if constexpr (std::is_same_v<T, sim::Box>)
+    return std::vector<double>{x.low[0], x.low[1], x.low[2], x.high[0], x.high[1], x.high[2]};
+  else if constexpr (std::is_constructible_v<Value, const T&>)
+    return x;
+  else
+    return std::vector<double>(x.begin(), x.end());
 }
 
 // Value -> field; the value has been checked against its key.
-inline void from_value(const Value& value, bool& x) {
-  x = std::get<bool>(value);
-}
-inline void from_value(const Value& value, int& x) {
-  x = static_cast<int>(std::get<std::int64_t>(value));
-}
-inline void from_value(const Value& value, std::uint64_t& x) {
-  x = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
-}
-inline void from_value(const Value& value, double& x) {
-  x = std::get<double>(value);
-}
-inline void from_value(const Value& value, std::string& x) {
-  x = std::get<std::string>(value);
-}
-inline void from_value(const Value& value, std::filesystem::path& x) {
-  x = std::get<std::string>(value);
-}
-inline void from_value(const Value& value, std::vector<double>& x) {
-  x = std::get<std::vector<double>>(value);
-}
-inline void from_value(const Value& value, sim::InGroup& x) {
-  x.name = std::get<std::string>(value);
-}
-inline void from_value(const Value& value, Vec3& x) {
-  std::ranges::copy(std::get<std::vector<double>>(value), x.begin());
-}
-inline void from_value(const Value& value, std::array<double, 2>& x) {
-  std::ranges::copy(std::get<std::vector<double>>(value), x.begin());
-}
-inline void from_value(const Value& value, std::vector<int>& x) {
-  const auto& numbers = std::get<std::vector<double>>(value);
-  x.assign(numbers.begin(), numbers.end());
-}
-inline void from_value(const Value& value, sim::Sphere& x) {
-  const auto& n = std::get<std::vector<double>>(value);
-  x = {{n[0], n[1], n[2]}, n[3]};
-}
-inline void from_value(const Value& value, sim::Box& x) {
-  const auto& n = std::get<std::vector<double>>(value);
-  x = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+template <class T>
+void from_value(const Value& value, T& x) {
+  [[maybe_unused]] const auto* const n = std::get_if<std::vector<double>>(&value);
+  if constexpr (std::is_enum_v<T>)
+    x = std::ranges::find(sim::choices<T>, std::get<std::string>(value), &sim::Choice<T>::name)->value;
+  else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    x = static_cast<T>(std::get<std::int64_t>(value));
+  else if constexpr (std::is_same_v<T, std::filesystem::path>)
+    x = std::get<std::string>(value);
+  else if constexpr (std::is_same_v<T, sim::InGroup>)
+    x.name = std::get<std::string>(value);
+  else if constexpr (std::is_same_v<T, sim::Sphere>)
+    x = {{(*n)[0], (*n)[1], (*n)[2]}, (*n)[3]};
+  else if constexpr (std::is_same_v<T, sim::Box>)
+    x = {{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}};
+  else if constexpr (std::is_constructible_v<Value, const T&>)
+    x = std::get<T>(value);
+  else if constexpr (std::is_same_v<T, std::vector<int>>)
+    x.assign(n->begin(), n->end());
+  else
+    std::ranges::copy(*n, x.begin());
 }
 
 template <class T>

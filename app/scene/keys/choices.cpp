@@ -2,7 +2,7 @@
 
 #include "render/colour_map.h"
 #include "sim/body/start.h"
-#include "sim/element/list.h"
+#include "sim/element/element.h"
 #include "sim/material/list.h"
 #include "sim/time/scheme.h"
 
@@ -23,18 +23,6 @@ std::vector<std::string_view> integrator_names() {
   return all;
 }
 
-std::vector<std::string_view> linear_solver_names() {
-  return {"cholmod", "pcg", "pcg-assembled", "auto"};
-}
-
-std::vector<std::string_view> definiteness_names() {
-  return {"clamp", "abs", "none"};
-}
-
-std::vector<std::string_view> on_failure_names() {
-  return {"split", "accept", "stop"};
-}
-
 std::vector<std::string_view> start_names() {
   std::vector<std::string_view> all;
   for (const sim::StartShape& shape : sim::start_shapes()) all.push_back(shape.name);
@@ -46,11 +34,9 @@ std::vector<std::string_view> material_names() {
 }
 
 std::vector<std::string_view> element_names() {
-  return names(sim::Elements{});
-}
-
-std::vector<std::string_view> mass_names() {
-  return {"lumped", "consistent"};
+  std::vector<std::string_view> all;
+  for (const sim::ElementInfo& element : sim::elements()) all.push_back(element.name);
+  return all;
 }
 
 std::vector<std::string_view> colour_names() {

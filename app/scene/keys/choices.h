@@ -4,16 +4,21 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/choices.h"
+
 namespace app {
 
+// Of an enum of sim/choices.h.
+template <class E>
+std::vector<std::string_view> names_of() {
+  std::vector<std::string_view> all;
+  for (const sim::Choice<E>& choice : sim::choices<E>) all.push_back(choice.name);
+  return all;
+}
 std::vector<std::string_view> integrator_names();
-std::vector<std::string_view> linear_solver_names();
-std::vector<std::string_view> definiteness_names();
-std::vector<std::string_view> on_failure_names();
 std::vector<std::string_view> start_names();
 std::vector<std::string_view> material_names();
 std::vector<std::string_view> element_names();
-std::vector<std::string_view> mass_names();
 std::vector<std::string_view> colour_names();
 std::vector<std::string_view> colour_map_choices();
 std::vector<std::string_view> background_names();

@@ -25,49 +25,29 @@ constexpr Binding regions = {
 template <auto owner>
 std::vector<Key> constants(const std::array<std::string_view, 4>& path) {
   return {
-      {.path = path[0],
-       .kind = Kind::choice,
-       .choices = material_names,
-       .meaning = "Energy density of the material.",
-       .binding = field<owner, &sim::MaterialSpec::model>},
-      {.path = path[1],
-       .kind = Kind::number,
-       .unit = "Pa",
-       .range = above(0),
-       .meaning = "Young's modulus: stiffness. Jelly 1e4, rubber 1e6, wood 1e10, steel 2e11.",
-       .binding = field<owner, &sim::MaterialSpec::young>},
-      {.path = path[2],
-       .kind = Kind::number,
-       .range = inside(-1, 0.5),
-       .meaning = "Poisson's ratio: how much it thins when stretched; close to 0.5 it keeps its volume.",
-       .binding = field<owner, &sim::MaterialSpec::poisson>},
-      {.path = path[3],
-       .kind = Kind::number,
-       .unit = "kg/m^3",
-       .range = above(0),
-       .meaning = "Mass per volume at rest.",
-       .binding = field<owner, &sim::MaterialSpec::density>},
+      {path[0], Form(Kind::choice).of(material_names), field<owner, &sim::MaterialSpec::model>,
+       "Energy density of the material."},
+      {path[1], Form(Kind::number, "Pa", above(0)), field<owner, &sim::MaterialSpec::young>,
+       "Young's modulus: stiffness. Jelly 1e4, rubber 1e6, wood 1e10, steel 2e11."},
+      {path[2], Form(Kind::number, "", inside(-1, 0.5)), field<owner, &sim::MaterialSpec::poisson>,
+       "Poisson's ratio: how much it thins when stretched; close to 0.5 it keeps its volume."},
+      {path[3], Form(Kind::number, "kg/m^3", above(0)), field<owner, &sim::MaterialSpec::density>,
+       "Mass per volume at rest."},
   };
 }
 
 }  // namespace
 
 std::vector<Key> material_keys() {
-  std::vector<Key> table = {{.path = "body[].material", .kind = Kind::table, .meaning = "Material of the body."}};
+  std::vector<Key> table = {{"body[].material", Kind::table, {}, "Material of the body."}};
   std::vector<Key> whole = constants<material_of>(
       {"body[].material.model", "body[].material.young", "body[].material.poisson", "body[].material.density"});
   append(table, whole);
 
-  table.push_back({.path = "body[].region[]",
-                   .kind = Kind::list,
-                   .meaning = "A part of the body with a material of its own.",
-                   .binding = regions});
-  table.push_back({.path = "body[].region[].group",
-                   .kind = Kind::text,
-                   .required = true,
-                   .meaning = "Group of the mesh whose elements these are.",
-                   .binding = field<region_of, &sim::MaterialSpec::group>});
-  table.push_back({.path = "body[].region[].material", .kind = Kind::table, .meaning = "Material of that part."});
+  table.push_back({"body[].region[]", Kind::list, regions, "A part of the body with a material of its own."});
+  table.push_back({"body[].region[].group", Form(Kind::text).tells(Effect::restart).needed(),
+                   field<region_of, &sim::MaterialSpec::group>, "Group of the mesh whose elements these are."});
+  table.push_back({"body[].region[].material", Kind::table, {}, "Material of that part."});
   std::vector<Key> part =
       constants<region_of>({"body[].region[].material.model", "body[].region[].material.young",
                             "body[].region[].material.poisson", "body[].region[].material.density"});

@@ -13,38 +13,23 @@ constexpr auto start_of = [](auto& d, const Indices& i) -> auto& {
 
 std::vector<Key> start_keys() {
   return {
-      {.path = "body[].untangle",
-       .kind = Kind::number,
-       .range = at_least(0),
-       .meaning =
-           "Strength of a pull towards the rest shape that acts only while the body is folded through itself or has "
-           "elements inside out: 1 undoes nearly every tangle, 0.1 is gentler, 0 leaves them.",
-       .binding = field<body_of, &sim::Body::untangle>},
-      {.path = "body[].start", .kind = Kind::table, .meaning = "How the body is deformed at the start."},
-      {.path = "body[].start.shape",
-       .kind = Kind::choice,
-       .choices = start_names,
-       .meaning = "The deformation; app/scene/README.md has a table of them.",
-       .binding = field<start_of, &sim::Start::shape>},
-      {.path = "body[].start.amount",
-       .kind = Kind::number,
-       .unit = "depends on the shape",
-       .absent = "depends on the shape",
-       .meaning = "How far the body is deformed: a factor, degrees (\"twisted\") or body sizes (\"far\").",
-       .binding = field<start_of, &sim::Start::amount>},
-      {.path = "body[].start.direction",
-       .kind = Kind::direction,
-       .absent = "the longest axis; \"plane\" and \"squashed\": the thinnest",
-       .meaning = "Axis or normal of the deformation.",
-       .binding = field<start_of, &sim::Start::direction>},
-      {.path = "body[].start.perturbation",
-       .kind = Kind::number,
-       .unit = "body sizes",
-       .range = at_least(0),
-       .absent = "1e-3 for \"plane\", \"line\", \"point\", else 0",
-       .meaning = "Largest random displacement of each component of each node. It leaves states that a symmetric body "
-                  "would never leave.",
-       .binding = field<start_of, &sim::Start::perturbation>},
+      {"body[].untangle", Form(Kind::number, "", at_least(0)), field<body_of, &sim::Body::untangle>,
+       "Strength of a pull towards the rest shape that acts only while the body is folded through itself or has "
+       "elements inside out: 1 undoes nearly every tangle, 0.1 is gentler, 0 leaves them."},
+      {"body[].start", Form(Kind::table).tells(Effect::start), {}, "How the body is deformed at the start."},
+      {"body[].start.shape", Form(Kind::choice).of(start_names), field<start_of, &sim::Start::shape>,
+       "The deformation; app/scene/README.md has a table of them."},
+      {"body[].start.amount", Form(Kind::number, "depends on the shape").otherwise("depends on the shape"),
+       field<start_of, &sim::Start::amount>,
+       "How far the body is deformed: a factor, degrees (\"twisted\") or body sizes (\"far\")."},
+      {"body[].start.direction",
+       Form(Kind::direction).otherwise("the longest axis; \"plane\" and \"squashed\": the thinnest"),
+       field<start_of, &sim::Start::direction>, "Axis or normal of the deformation."},
+      {"body[].start.perturbation",
+       Form(Kind::number, "body sizes", at_least(0)).otherwise("1e-3 for \"plane\", \"line\", \"point\", else 0"),
+       field<start_of, &sim::Start::perturbation>,
+       "Largest random displacement of each component of each node. It leaves states that a symmetric body would never "
+       "leave."},
   };
 }
 

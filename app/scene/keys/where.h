@@ -10,23 +10,9 @@ template <auto owner, auto where>
 std::vector<Key> where_keys(const std::array<std::string_view, 3>& path,
                             const std::array<std::string_view, 3>& meaning) {
   return {
-      {.path = path[0],
-       .kind = Kind::box,
-       .unit = "m",
-       .absent = "sphere or group",
-       .meaning = meaning[0],
-       .binding = alternative<owner, where, sim::Box>},
-      {.path = path[1],
-       .kind = Kind::ball,
-       .unit = "m",
-       .absent = "box or group",
-       .meaning = meaning[1],
-       .binding = alternative<owner, where, sim::Sphere>},
-      {.path = path[2],
-       .kind = Kind::text,
-       .absent = "box or sphere",
-       .meaning = meaning[2],
-       .binding = alternative<owner, where, sim::InGroup>},
+      {path[0], Form(Kind::box, "m").otherwise("sphere or group"), alternative<owner, where, sim::Box>, meaning[0]},
+      {path[1], Form(Kind::ball, "m").otherwise("box or group"), alternative<owner, where, sim::Sphere>, meaning[1]},
+      {path[2], Form(Kind::text).otherwise("box or sphere"), alternative<owner, where, sim::InGroup>, meaning[2]},
   };
 }
 

@@ -1,4 +1,4 @@
-#include "app/record/easel.h"
+#include "app/record/frame_renderer.h"
 
 namespace app {
 namespace {
@@ -24,17 +24,17 @@ FrameSize::FrameSize(const Options& options)
       panel(options.panel ? Panel::width(options.width, options.height) : 0),
       samples(options.samples) {}
 
-Easel::Easel(const FrameSize& size)
+FrameRenderer::FrameRenderer(const FrameSize& size)
     : size_(size), renderer_(*context_, size.width - size.panel, size.height, size.samples) {
   if (size.panel > 0) gui_.emplace(*context_, Panel::text_size(size.width, size.height));
 }
 
-render::Image Easel::draw(const Sight& sight, const Moment& moment, const std::vector<Sample>& samples) {
-  render::Image picture = renderer_.draw(sight.picture.frame(moment));
+render::Image FrameRenderer::draw(const ShownScene& shown, const Moment& moment, const std::vector<Sample>& samples) {
+  render::Image picture = renderer_.draw(shown.picture.frame(moment));
   if (!gui_) return picture;
   const std::int64_t step = moment.state.step;
-  const sim::System& system = *sight.simulation->system;
-  PanelState state{sight.simulation->document, system, sight.waiting, samples, system.time(step), step};
+  const sim::System& system = *shown.simulation->system;
+  PanelState state{shown.simulation->document, system, shown.waiting, samples, system.time(step), step};
   state.clock = false;
   return beside(gui_->picture(size_.panel, size_.height, [&] { panel_.draw(state, size_.panel, size_.height); }),
                 picture);

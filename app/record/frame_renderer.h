@@ -15,7 +15,7 @@
 namespace app {
 
 // What is seen: a simulation, kept for as long as it is drawn, and the values that wait for its restart.
-struct Sight {
+struct ShownScene {
   std::shared_ptr<const Simulation> simulation;
   Picture picture;
   std::vector<Override> waiting;
@@ -29,11 +29,11 @@ struct FrameSize {
 };
 
 // Owns its GL context: made and used in one thread.
-class Easel {
+class FrameRenderer {
  public:
-  explicit Easel(const FrameSize& size);
+  explicit FrameRenderer(const FrameSize& size);
   // samples: of the panel's plots.
-  render::Image draw(const Sight& sight, const Moment& moment, const std::vector<Sample>& samples);
+  render::Image draw(const ShownScene& shown, const Moment& moment, const std::vector<Sample>& samples);
 
  private:
   FrameSize size_;  // in the order of their making

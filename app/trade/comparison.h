@@ -15,7 +15,7 @@ struct Stretch {
   std::int64_t last = 0, stride = 1;
 };
 
-struct Ground {
+struct Comparison {
   Options options;  // of the scene
   Simulation scene;
   sim::SamplePoints points;
@@ -27,18 +27,18 @@ struct Ground {
 };
 
 // Throws SceneError; std::runtime_error when the scene has no motion to compare (static).
-Ground make_ground(const Options& options);
+Comparison make_comparison(const Options& options);
 
 // As many of the first frames as given; of long ones every second, third, ... is compared.
-Stretch stretch_of(const Ground& ground, std::int64_t frames);
+Stretch stretch_of(const Comparison& comparison, std::int64_t frames);
 
-// A case as the ground's stretch sees it.
+// A case as the comparison's stretch sees it.
 // `scene`: identity of the scene with the case's settings.
-std::uint64_t case_id(const Ground& ground, std::uint64_t scene);
+std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene);
 
 // The trajectory in pixels: two numbers per point, origin top left.
-sim::Trajectory on_screen(const Ground& ground, const sim::Trajectory& path);
+sim::Trajectory on_screen(const Comparison& comparison, const sim::Trajectory& path);
 // The sample points as on_screen needs them: sizes of one pixel.
-sim::SamplePoints screen_points(const Ground& ground);
+sim::SamplePoints screen_points(const Comparison& comparison);
 
 }  // namespace app

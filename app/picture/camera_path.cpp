@@ -1,10 +1,10 @@
-#include "app/picture/shot.h"
+#include "app/picture/camera_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 
 namespace app {
 namespace {
@@ -19,28 +19,34 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
+// What of an obstacle the bodies may come to: of a plane, where they fall on it.
+Eigen::AlignedBox3d reached(const sim::Plane& plane, const Eigen::AlignedBox3d& bodies, double near_by,
+                            const Vec3& down) {
+  Eigen::AlignedBox3d box;
+  const double along = plane.normal.dot(down);
+  if (!(along < -0.1)) return box;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner = bodies.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    const double fall = plane.normal.dot(plane.point - corner) / along;
+    if (fall > 0 && fall < near_by) box.extend(corner + fall * down);
+  }
+  return box;
+}
+
+Eigen::AlignedBox3d reached(const sim::Sphere& ball, const Eigen::AlignedBox3d& bodies, double near_by, const Vec3&) {
+  const Vec3 reach = Vec3::Constant(ball.radius);
+  if (!(bodies.exteriorDistance(ball.centre) < near_by)) return {};
+  return {ball.centre - reach, ball.centre + reach};
+}
+
 // The bodies at rest and where they will fall: the scene tells both before a step is taken.
 Eigen::AlignedBox3d first_box(const sim::System& system, const sim::Scene& scene) {
   Eigen::AlignedBox3d box = rest_box(system.bodies());
   const Eigen::AlignedBox3d bodies = box;
   const double near_by = 20 * bodies.sizes().norm();
-  for (const sim::Obstacle& obstacle : scene.obstacles) {
-    if (const auto* ball = std::get_if<sim::Sphere>(&obstacle.shape)) {
-      const Vec3 reach = Vec3::Constant(ball->radius);
-      if (bodies.exteriorDistance(ball->centre) < near_by)
-        box.extend(Eigen::AlignedBox3d(ball->centre - reach, ball->centre + reach));
-      continue;
-    }
-    const auto& plane = std::get<sim::Plane>(obstacle.shape);
-    const Vec3 down = scene.world.gravity.normalized();
-    const double along = plane.normal.dot(down);
-    if (!(along < -0.1)) continue;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 corner = bodies.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-      const double fall = plane.normal.dot(plane.point - corner) / along;
-      if (fall > 0 && fall < near_by) box.extend(corner + fall * down);
-    }
-  }
+  const Vec3 down = scene.world.gravity.normalized();
+  for (const sim::Obstacle& obstacle : scene.obstacles)
+    box.extend(std::visit([&](const auto& shape) { return reached(shape, bodies, near_by, down); }, obstacle.shape));
   if (scene.dimension == 2) box.min().z() = box.max().z() = 0;
   return box;
 }
@@ -77,7 +83,7 @@ Vec3 turned(const Vec3& arm, const Vec3& up, double turn, double tilt) {
 
 }  // namespace
 
-Shot::Shot(const sim::System& system, const Document& document, double aspect)
+CameraPath::CameraPath(const sim::System& system, const Document& document, double aspect)
     : system_(system), camera_(document.camera), aspect_(aspect), first_(first_box(system, document.scene)) {
   for (const sim::BodyRange& body : system.bodies()) {
     if (!camera_.follow.empty() && body.name == camera_.follow) followed_ = &body;
@@ -85,7 +91,7 @@ Shot::Shot(const sim::System& system, const Document& document, double aspect)
   if (followed_ != nullptr) start_ = middle_of_followed(system.initial_state().x);
 }
 
-Vec3 Shot::middle_of_followed(const Eigen::VectorXd& x) const {
+Vec3 CameraPath::middle_of_followed(const Eigen::VectorXd& x) const {
   const int D = system_.dimension();
   const Eigen::Map<const Eigen::MatrixXd> points(x.data() + std::ptrdiff_t{D} * followed_->first_node, D,
                                                  followed_->node_count);
@@ -94,7 +100,7 @@ Vec3 Shot::middle_of_followed(const Eigen::VectorXd& x) const {
   return middle;
 }
 
-render::Camera Shot::at(const sim::State& state) const {
+render::Camera CameraPath::at(const sim::State& state) const {
   Eigen::AlignedBox3d box = first_;
   if (followed_ == nullptr) {
     const Eigen::AlignedBox3d now = box_of(state.x, system_.dimension());

@@ -1,4 +1,4 @@
-#include "app/picture/shot.h"
+#include "app/picture/camera_path.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ struct Stage {
   }
   Document document;
   sim::System system;
-  Shot shot;
+  CameraPath shot;
 };
 
 // The largest distance of a node from the middle of the picture, 1 at its edge.
@@ -54,7 +54,7 @@ double farthest(const Stage& stage, const sim::State& state) {
   return most;
 }
 
-TEST(Shot, WithoutACameraEverythingIsSeenWhereverItGoes) {
+TEST(CameraPath, WithoutACameraEverythingIsSeenWhereverItGoes) {
   const Stage stage(two_boxes());
   sim::State state = stage.at(0);
   EXPECT_LT(farthest(stage, state), 0.9);
@@ -66,14 +66,14 @@ TEST(Shot, WithoutACameraEverythingIsSeenWhereverItGoes) {
   }
 }
 
-TEST(Shot, ABodyThatSwingsALittleDoesNotMoveTheCamera) {
+TEST(CameraPath, ABodyThatSwingsALittleDoesNotMoveTheCamera) {
   const Stage stage(two_boxes());
   sim::State moved = stage.at(0);
   for (double& x : moved.x) x *= 1.02;
   EXPECT_EQ(stage.shot.at(moved).eye, stage.shot.at(stage.at(0)).eye);
 }
 
-TEST(Shot, WhereABodyWillFallIsSeenFromTheStart) {
+TEST(CameraPath, WhereABodyWillFallIsSeenFromTheStart) {
   Document document = two_boxes();
   document.scene.obstacles = {{sim::Plane{{0, -6, 0}, {0, 1, 0}}}};
   const Stage stage(document);
@@ -83,7 +83,7 @@ TEST(Shot, WhereABodyWillFallIsSeenFromTheStart) {
   EXPECT_LT(farthest(stage, fallen), 0.95);
 }
 
-TEST(Shot, AnOrbitTurnsAboutUpAndKeepsItsDistance) {
+TEST(CameraPath, AnOrbitTurnsAboutUpAndKeepsItsDistance) {
   Document document = two_boxes();
   document.camera.eye = Vec3(2, 1, 10);
   document.camera.target = Vec3(2, 0, 0);
@@ -94,7 +94,7 @@ TEST(Shot, AnOrbitTurnsAboutUpAndKeepsItsDistance) {
   EXPECT_NEAR((vec(turned.target) - Vec3(2, 0, 0)).norm(), 0, 1e-6);
 }
 
-TEST(Shot, AScriptIsEasedAndHoldsItsEnds) {
+TEST(CameraPath, AScriptIsEasedAndHoldsItsEnds) {
   Document document = two_boxes();
   document.camera.eye = Vec3(0, 0, 10);
   document.camera.target = Vec3(0, 0, 0);
@@ -121,7 +121,7 @@ TEST(Shot, AScriptIsEasedAndHoldsItsEnds) {
   EXPECT_GT(vec(steep.shot.at(steep.at(0)).eye).z(), 0.1);  // short of straight above
 }
 
-TEST(Shot, ACameraThatFollowsKeepsItsPlaceBesideTheBody) {
+TEST(CameraPath, ACameraThatFollowsKeepsItsPlaceBesideTheBody) {
   Document document = two_boxes();
   document.camera.follow = "right";
   const Stage stage(document);

@@ -1,4 +1,4 @@
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +50,20 @@ render::Camera plane_view(const Camera& camera, const Vec3& target, const Eigen:
   return view;
 }
 
+bool is_floor(const sim::Plane& plane, const Vec3& up) {
+  return plane.normal.dot(up) > 0.7;
+}
+bool is_floor(const sim::Sphere&, const Vec3&) {
+  return false;
+}
+
+void draw(const sim::Plane& plane, render::Frame& frame) {
+  frame.planes.push_back({to_point(plane.point), to_point(plane.normal)});
+}
+void draw(const sim::Sphere& sphere, render::Frame& frame) {
+  frame.spheres.push_back({to_point(sphere.centre), static_cast<float>(sphere.radius)});
+}
+
 }  // namespace
 
 render::Point to_point(const Vec3& v) {
@@ -86,11 +100,10 @@ render::Camera view_of(const Camera& camera, const Eigen::AlignedBox3d& box, int
 std::optional<render::Ground> ground_of(const Look& look, const Vec3& up, const Eigen::AlignedBox3d& box,
                                         std::span<const sim::Obstacle> obstacles) {
   if (!look.ground) return std::nullopt;
-  const auto is_floor = [&](const sim::Obstacle& obstacle) {
-    const auto* plane = std::get_if<sim::Plane>(&obstacle.shape);
-    return plane != nullptr && plane->normal.dot(up) > 0.7;
+  const auto floors = [&](const sim::Obstacle& obstacle) {
+    return std::visit([&](const auto& shape) { return is_floor(shape, up); }, obstacle.shape);
   };
-  if (look.obstacles && !look.ground_height && std::ranges::any_of(obstacles, is_floor)) return std::nullopt;
+  if (look.obstacles && !look.ground_height && std::ranges::any_of(obstacles, floors)) return std::nullopt;
   double lowest = up.dot(box.min());
   for (const Vec3& corner : corners(box)) lowest = std::min(lowest, up.dot(corner));
   // A gap that cannot be seen, but keeps the floor from flickering through the faces that lie on it.
@@ -99,14 +112,8 @@ std::optional<render::Ground> ground_of(const Look& look, const Vec3& up, const 
 }
 
 void add_obstacles(std::span<const sim::Obstacle> obstacles, render::Frame& frame) {
-  for (const sim::Obstacle& obstacle : obstacles) {
-    if (const auto* plane = std::get_if<sim::Plane>(&obstacle.shape)) {
-      frame.planes.push_back({to_point(plane->point), to_point(plane->normal)});
-    } else {
-      const auto& sphere = std::get<sim::Sphere>(obstacle.shape);
-      frame.spheres.push_back({to_point(sphere.centre), static_cast<float>(sphere.radius)});
-    }
-  }
+  for (const sim::Obstacle& obstacle : obstacles)
+    std::visit([&](const auto& shape) { draw(shape, frame); }, obstacle.shape);
 }
 
 }  // namespace app

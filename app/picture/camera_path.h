@@ -11,10 +11,10 @@ namespace app {
 
 // Where the scene leaves the camera open, it stands where all bodies are seen, and draws back while one of them is
 // about to leave the picture: its place depends on the state alone, not on the frames before.
-class Shot {
+class CameraPath {
  public:
   // `aspect`: width / height of the pictures. Both other arguments must outlive it.
-  Shot(const sim::System& system, const Document& document, double aspect);
+  CameraPath(const sim::System& system, const Document& document, double aspect);
 
   render::Camera at(const sim::State& state) const;
 

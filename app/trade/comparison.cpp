@@ -1,11 +1,11 @@
-#include "app/trade/ground.h"
+#include "app/trade/comparison.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/base/checksum.h"
 #include "app/base/version.h"
-#include "app/picture/view.h"
+#include "app/picture/stage.h"
+#include "sim/math/checksum.h"
 
 namespace app {
 namespace {
@@ -26,56 +26,57 @@ render::View screen_of(const Simulation& simulation) {
 
 }  // namespace
 
-double Ground::seconds() const {
+double Comparison::seconds() const {
   return double(stretch.last) / scene.document.scene.time.fps;
 }
 
-Ground make_ground(const Options& options) {
-  Ground ground{options, build_simulation(options), {}, {}, {}};
-  if (ground.scene.document.scene.time.integrator == "static")
+Comparison make_comparison(const Options& options) {
+  Comparison comparison{options, build_simulation(options), {}, {}, {}};
+  if (comparison.scene.document.scene.time.integrator == "static")
     throw std::runtime_error(options.scene.string() +
                              ": time.integrator = \"static\": there is no motion to trade; --set "
                              "time.integrator=backward-euler steps it");
-  ground.points = sim::sample_points(*ground.scene.system);
-  ground.view = screen_of(ground.scene);
-  ground.stretch = stretch_of(ground, ground.scene.last_frame());
-  return ground;
+  comparison.points = sim::sample_points(*comparison.scene.system);
+  comparison.view = screen_of(comparison.scene);
+  comparison.stretch = stretch_of(comparison, comparison.scene.last_frame());
+  return comparison;
 }
 
-Stretch stretch_of(const Ground& ground, std::int64_t frames) {
-  frames = std::clamp<std::int64_t>(frames, 1, std::max<std::int64_t>(ground.scene.last_frame(), 1));
-  const std::int64_t numbers = ground.points.X.size();
+Stretch stretch_of(const Comparison& comparison, std::int64_t frames) {
+  frames = std::clamp<std::int64_t>(frames, 1, std::max<std::int64_t>(comparison.scene.last_frame(), 1));
+  const std::int64_t numbers = comparison.points.X.size();
   const std::int64_t most = std::max(kLeastFrames, kMostNumbers / std::max<std::int64_t>(numbers, 1));
   const std::int64_t stride = (frames + most - 1) / most;
   return {frames / stride * stride, stride};
 }
 
-std::uint64_t case_id(const Ground& ground, std::uint64_t scene) {
+std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene) {
   std::string text(kVersion);
-  for (const std::uint64_t number :
-       {ground.scene.identity, scene, std::uint64_t(ground.stretch.last), std::uint64_t(ground.stretch.stride)})
+  for (const std::uint64_t number : {comparison.scene.identity, scene, std::uint64_t(comparison.stretch.last),
+                                     std::uint64_t(comparison.stretch.stride)})
     text += ' ' + std::to_string(number);
-  return checksum(text);
+  return sim::checksum(text);
 }
 
-sim::Trajectory on_screen(const Ground& ground, const sim::Trajectory& path) {
+sim::Trajectory on_screen(const Comparison& comparison, const sim::Trajectory& path) {
   sim::Trajectory screen;
   screen.dimension = 2;
   screen.t = path.t;
   for (const Eigen::VectorXd& x : path.x) {
-    Eigen::VectorXd pixels(2 * ground.points.count());
-    for (int p = 0; p < ground.points.count(); ++p) {
+    Eigen::VectorXd pixels(2 * comparison.points.count());
+    for (int p = 0; p < comparison.points.count(); ++p) {
       Eigen::Vector3f point = Eigen::Vector3f::Zero();
       point.head(path.dimension) = x.segment(Eigen::Index(p) * path.dimension, path.dimension).cast<float>();
-      pixels.segment<2>(2 * Eigen::Index(p)) = ground.view.to_window(point, kWidth, kHeight).head<2>().cast<double>();
+      pixels.segment<2>(2 * Eigen::Index(p)) =
+          comparison.view.to_window(point, kWidth, kHeight).head<2>().cast<double>();
     }
     screen.x.push_back(std::move(pixels));
   }
   return screen;
 }
 
-sim::SamplePoints screen_points(const Ground& ground) {
-  sim::SamplePoints points = ground.points;
+sim::SamplePoints screen_points(const Comparison& comparison) {
+  sim::SamplePoints points = comparison.points;
   points.dimension = 2;
   points.size.setOnes();
   return points;

@@ -1,0 +1,53 @@
+// What a scene chooses between: an enum for each choice, and the name that a scene has for each of its values.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace sim {
+
+// How the linear system of a Newton step is solved; `automatic` by size and by counts of iterations.
+enum class LinearSolverKind { cholmod, pcg, pcg_assembled, automatic };
+
+// What negative eigenvalues of a tangent are multiplied by: none 1, clamp 0 [Teran et al. 2005], abs -1 [Chen et al.
+// 2024].
+enum class Definiteness { none = 1, clamp = 0, abs = -1 };
+
+// What is done about a step whose equations are not solved.
+enum class OnFailure { split, accept, stop };
+
+enum class MassMatrix { lumped, consistent };
+
+template <class E>
+struct Choice {
+  E value;
+  std::string_view name;
+};
+
+// Every value of E with its name, in the order in which they are listed.
+template <class E>
+inline constexpr std::array<Choice<E>, 0> choices;
+template <>
+inline constexpr auto choices<LinearSolverKind> =
+    std::to_array<Choice<LinearSolverKind>>({{LinearSolverKind::cholmod, "cholmod"},
+                                             {LinearSolverKind::pcg, "pcg"},
+                                             {LinearSolverKind::pcg_assembled, "pcg-assembled"},
+                                             {LinearSolverKind::automatic, "auto"}});
+template <>
+inline constexpr auto choices<Definiteness> = std::to_array<Choice<Definiteness>>(
+    {{Definiteness::clamp, "clamp"}, {Definiteness::abs, "abs"}, {Definiteness::none, "none"}});
+template <>
+inline constexpr auto choices<OnFailure> = std::to_array<Choice<OnFailure>>(
+    {{OnFailure::split, "split"}, {OnFailure::accept, "accept"}, {OnFailure::stop, "stop"}});
+template <>
+inline constexpr auto choices<MassMatrix> = std::to_array<Choice<MassMatrix>>(
+    {{MassMatrix::lumped, "lumped"}, {MassMatrix::consistent, "consistent"}});
+
+template <class E>
+constexpr std::string_view name_of(E value) {
+  for (const Choice<E>& choice : choices<E>)
+    if (choice.value == value) return choice.name;
+  return {};
+}
+
+}  // namespace sim
