@@ -1,4 +1,6 @@
 // `ritz view`: the window around a workbench.
+#include <imgui.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>

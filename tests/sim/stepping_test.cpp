@@ -44,8 +44,8 @@ TEST(SameBits, ForAnyNumberOfThreads) {
       one.steps(8);
       two.steps(8);
       four.steps(8);
-      EXPECT_EQ(hash(one.state), hash(two.state)) << element << " " << linear;
-      EXPECT_EQ(hash(one.state), hash(four.state)) << element << " " << linear;
+      EXPECT_EQ(hash(one.state), hash(two.state)) << element << " " << name_of(linear);
+      EXPECT_EQ(hash(one.state), hash(four.state)) << element << " " << name_of(linear);
     }
 }
 
