@@ -45,6 +45,24 @@ class Exactness {
   double last_ = std::numeric_limits<double>::infinity();
 };
 
+// Whether the iteration still gets anywhere: the potential falls by more than its round-off, or the increment is
+// smaller than it ever was. A stiff, tangled mesh needs hundreds of iterations that all do; what comes to nothing soon
+// repeats.
+class Progress {
+ public:
+  bool ended(bool fell, double increment) {
+    idle_ = fell || increment < least_share * smallest_ ? 0 : idle_ + 1;
+    smallest_ = std::min(smallest_, increment);
+    return idle_ == most_idle;
+  }
+
+ private:
+  static constexpr int most_idle = 15;
+  static constexpr double least_share = 0.99;
+  int idle_ = 0;
+  double smallest_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 Newton::Newton(const Model& model, int threads)
@@ -137,9 +155,9 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
   }
 }
 
-// Armijo backtracking; returns the step taken, 0 when none decreases the potential.
-double Newton::line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
-                           StepReport& report) {
+// Armijo backtracking; the step taken is 0 when none decreases the potential.
+Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x,
+                                 Eigen::VectorXd& v, StepReport& report) {
   const double slope = -residual_.dot(dx_);
   const double before = potential(stage, motion);
   const double limit = tangent_.largest_step(motion, dx_);
@@ -150,11 +168,11 @@ double Newton::line_search(const StageProblem& stage, const Motion& motion, Eige
   for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
     move(stage, a, x, v);
     const double after = potential(stage, motion);
-    if (after <= before + armijo * a * slope + noise) return a;
+    if (after <= before + armijo * a * slope + noise) return {a, after < before - noise};
     ++report.backtracks;
   }
   move(stage, 0, x, v);
-  return 0;
+  return {0, false};
 }
 
 bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
@@ -164,6 +182,7 @@ bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorX
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, model_.solver.tolerance) : linear_tolerance;
   Exactness exactness(fix_);
+  Progress progress;
   int k = 0;
   for (; k < most; ++k) {
     const Definiteness first = exactness.next();
@@ -173,25 +192,34 @@ bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorX
       return false;
     }
     ++report.newton;
-    double a = 1;
+    Move step{1, true};
     if (stage.one_iteration) {
       x_from_ = x;
       v_from_ = v;
-      move(stage, a, x, v);
+      move(stage, step.a, x, v);
     } else {
-      a = line_search(stage, motion, x, v, report);
+      step = line_search(stage, motion, x, v, report);
     }
     report.increment = 0;
     for (Eigen::Index node = 0; node < model_.node_count; ++node)
       report.increment = std::max(report.increment,
                                   dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
-    if (stage.one_iteration || (a == 1 && report.increment <= model_.solver.tolerance)) return true;
-    if (a == 0 && !exactness.exact()) break;
-    exactness.look(a == 1 && report.factorisations <= factors + 1, report.increment);
+    if (stage.one_iteration || (step.a == 1 && report.increment <= model_.solver.tolerance)) return true;
+    if (step.a == 0 && !exactness.exact()) {
+      report.reason = "no step along the Newton direction lowers the potential";
+      break;
+    }
+    if (progress.ended(step.fell, report.increment)) {
+      report.reason = "the iteration makes no progress";
+      break;
+    }
+    exactness.look(step.a == 1 && report.factorisations <= factors + 1, report.increment);
   }
   report.converged = false;
-  report.reason =
-      k < most ? "no step along the Newton direction lowers the potential" : "solver.max_iterations reached";
+  if (k == most) {
+    report.capped = true;
+    report.reason = "solver.max_iterations reached";
+  }
   return true;
 }
 

@@ -36,8 +36,12 @@ class Newton {
  private:
   bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, double tolerance,
                  StepReport& report);
-  double line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
-                     StepReport& report);
+  struct Move {
+    double a;   // of dx_ that was taken
+    bool fell;  // the potential, by more than its round-off
+  };
+  Move line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                   StepReport& report);
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);

@@ -1,6 +1,7 @@
 #include "sim/time/implicit.h"
 
 #include <cmath>
+#include <limits>
 
 #include "sim/solve/stopwatch.h"
 #include "sim/time/finish.h"
@@ -11,6 +12,9 @@ namespace {
 
 constexpr int most_halvings = 4;  // of a step: 16 parts at most
 
+// Where an iteration may start.
+enum class Guess { stay, flight, carried_on };
+
 }  // namespace
 
 ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
@@ -20,8 +24,9 @@ ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int t
     v->resize(model.dofs());
 }
 
-// Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight,
-// whichever has the lower potential; where the terms allow neither, x_n.
+// Puts the start of the iteration into x_, v_: free flight, the acceleration of the step before carried on, or x_n,
+// whichever has the lowest potential. No iterate has a higher one, so that even an iteration which is cut short ends no
+// higher than where the step began.
 void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
   const auto place = [&] {
@@ -36,21 +41,26 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, d
     model_.pins.prescribe(problem.t, x_, v_);
     return;
   }
-  v_ = v_start_;
-  double lowest = place();
-  if (next_.v_before.size() > 0) {
-    v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
-    const double carried_on = place();
-    if (carried_on < lowest) {
-      lowest = carried_on;
-    } else {
+  const auto aim = [&](Guess start) {
+    if (start == Guess::flight)
       v_ = v_start_;
-      place();
+    else if (start == Guess::carried_on)
+      v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
+    else
+      v_ = (next_.x - x_star_) / problem.gh;
+    return place();
+  };
+  Guess best = Guess::stay, last = Guess::stay;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Guess start : {Guess::stay, Guess::flight, Guess::carried_on}) {
+    if (start == Guess::carried_on && next_.v_before.size() == 0) continue;
+    last = start;
+    if (const double potential = aim(start); potential < lowest) {
+      lowest = potential;
+      best = start;
     }
   }
-  if (std::isfinite(lowest)) return;
-  v_ = (next_.x - x_star_) / problem.gh;
-  place();
+  if (best != last) aim(best);
 }
 
 bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin,
@@ -135,6 +145,7 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
     ++report.force_evaluations;
   }
   report.converged = true;
+  report.capped = false;
   for (std::size_t k = 0; k < scheme.stages.size(); ++k)
     if (!take_stage(scheme, scheme.stages[k], static_cast<int>(k), h, t, report)) return false;
   finish(scheme, begin, t_end);
@@ -158,9 +169,10 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
   if (model_.solver.on_failure != OnFailure::split || scheme_.is_static) return report.failure.empty();
-  // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
-  // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
-  in_vain_ = in_vain_ || depth == most_halvings;
+  // Where the finest part fails, the other parts of the step are not tried finer than they are; nor are halves tried
+  // where solver.max_iterations bounds the work, as they would only multiply it. What fails then is taken by backward
+  // Euler, which asks for no force from before: its iterates only lower the energy.
+  in_vain_ = in_vain_ || depth == most_halvings || report.capped;
   if (in_vain_ && &own == &euler) return report.failure.empty();
   next_ = begin;
   report.converged = converged_before;
@@ -169,6 +181,22 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   ++report.splits;
   const double middle = t + h / 2;
   return advance({t, middle, h / 2, depth + 1}, report) && advance({middle, t_end, h / 2, depth + 1}, report);
+}
+
+// A step that is accepted unsolved has the velocity of an iteration on its way, which no force justifies. It is slowed
+// down, until kinetic and potential energy together are at most what they were when the step began:
+//   s^2 = (T_n + U(x_n) - U(x_{n+1})) / T_{n+1}, at most 1, 0 where that is negative; v <- s v
+void ImplicitStepper::calm(const State& begin, double t, double t_end) {
+  const auto kinetic = [&](const Eigen::VectorXd& v) {
+    force_.setZero();
+    for (const Mass& mass : model_.masses) mass.add_product(1, v, force_, model_.D);
+    return 0.5 * v.dot(force_);
+  };
+  const double had = kinetic(begin.v) + newton_.tangent().energy({begin.x, begin.v, t, 0});
+  const double left = had - newton_.tangent().energy({next_.x, next_.v, t_end, 0}), T = kinetic(next_.v);
+  if (T <= left) return;
+  next_.v *= left > 0 ? std::sqrt(left / T) : 0;
+  model_.pins.prescribe(t_end, next_.x, next_.v);
 }
 
 StepReport ImplicitStepper::step(State& state) {
@@ -181,6 +209,7 @@ StepReport ImplicitStepper::step(State& state) {
     measure_J(model_, newton_.tangent(), state, report);
     return report;
   }
+  if (!report.converged && !scheme_.is_static) calm(state, model_.t(state.step), model_.t(state.step + 1));
   next_.x_before = state.x;
   next_.v_before = state.v;
   ++next_.step;

@@ -25,6 +25,7 @@ class ImplicitStepper final : public Stepper {
   bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
   void guess(const StageProblem& problem, const Scheme& scheme, double h);
+  void calm(const State& begin, double t, double t_end);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
   const Model& model_;
