@@ -16,7 +16,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kBeam = R"(
+constexpr const char* kRecordedBeam = R"(
 title = "beam"
 [time]
 seconds = 0.4
@@ -36,7 +36,7 @@ at = [2, 0.5, 0.5]
 // A scene in a folder of its own, and the options of a small recording of it.
 class Record : public testing::Test {
  protected:
-  Record() { write_all(scene(), kBeam); }
+  Record() { write_all(scene(), kRecordedBeam); }
 
   std::filesystem::path scene() const { return folder_ / "beam.toml"; }
 
