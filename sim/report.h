@@ -19,7 +19,6 @@ struct StepReport {
   int backtracks = 0;       // halvings in the line search
   int splits = 0;           // times that the step, or a part of it, was repeated in halves
   bool converged = true;    // false: the equations are not solved to the tolerance; a fact, not an error
-  bool capped = false;      // solver.max_iterations ended an iteration that still made progress
   double increment = 0;     // of the last Newton iteration: max |dx|/(g h) [body sizes per second]
   double min_J = 1;         // smallest det F over the quadrature points after the step
   int min_J_element = -1;   // where, counted over all bodies

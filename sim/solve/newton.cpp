@@ -216,10 +216,7 @@ bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorX
     exactness.look(step.a == 1 && report.factorisations <= factors + 1, report.increment);
   }
   report.converged = false;
-  if (k == most) {
-    report.capped = true;
-    report.reason = "solver.max_iterations reached";
-  }
+  if (k == most) report.reason = "solver.max_iterations reached";
   return true;
 }
 

@@ -145,7 +145,6 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
     ++report.force_evaluations;
   }
   report.converged = true;
-  report.capped = false;
   for (std::size_t k = 0; k < scheme.stages.size(); ++k)
     if (!take_stage(scheme, scheme.stages[k], static_cast<int>(k), h, t, report)) return false;
   finish(scheme, begin, t_end);
@@ -169,10 +168,9 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
   if (model_.solver.on_failure != OnFailure::split || scheme_.is_static) return report.failure.empty();
-  // Where the finest part fails, the other parts of the step are not tried finer than they are; nor are halves tried
-  // where solver.max_iterations bounds the work, as they would only multiply it. What fails then is taken by backward
-  // Euler, which asks for no force from before: its iterates only lower the energy.
-  in_vain_ = in_vain_ || depth == most_halvings || report.capped;
+  // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
+  // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
+  in_vain_ = in_vain_ || depth == most_halvings;
   if (in_vain_ && &own == &euler) return report.failure.empty();
   next_ = begin;
   report.converged = converged_before;
