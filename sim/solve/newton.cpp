@@ -45,20 +45,20 @@ class Exactness {
   double last_ = std::numeric_limits<double>::infinity();
 };
 
-// Whether the iteration still gets anywhere: the potential falls by more than its round-off, or the increment is
-// smaller than it ever was. A stiff, tangled mesh needs hundreds of iterations that all do; what comes to nothing soon
-// repeats.
+// Whether the iteration still gets anywhere: the potential falls by a share of what its slope promises, or the
+// increment is smaller than it ever was. A stiff, tangled mesh needs hundreds of iterations that all do; where the
+// energy has kinks, thousands may follow that do not.
 class Progress {
  public:
-  bool ended(bool fell, double increment) {
-    idle_ = fell || increment < least_share * smallest_ ? 0 : idle_ + 1;
+  bool ended(double share, double increment) {
+    idle_ = share > least_share || increment < shorter * smallest_ ? 0 : idle_ + 1;
     smallest_ = std::min(smallest_, increment);
     return idle_ == most_idle;
   }
 
  private:
   static constexpr int most_idle = 15;
-  static constexpr double least_share = 0.99;
+  static constexpr double least_share = 1e-3, shorter = 0.99;
   int idle_ = 0;
   double smallest_ = std::numeric_limits<double>::infinity();
 };
@@ -168,11 +168,11 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
   for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
     move(stage, a, x, v);
     const double after = potential(stage, motion);
-    if (after <= before + armijo * a * slope + noise) return {a, after < before - noise};
+    if (after <= before + armijo * a * slope + noise) return {a, (before - after - noise) / -slope};
     ++report.backtracks;
   }
   move(stage, 0, x, v);
-  return {0, false};
+  return {0, 0};
 }
 
 bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
@@ -192,7 +192,7 @@ bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorX
       return false;
     }
     ++report.newton;
-    Move step{1, true};
+    Move step{1, 0};
     if (stage.one_iteration) {
       x_from_ = x;
       v_from_ = v;
@@ -209,7 +209,7 @@ bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorX
       report.reason = "no step along the Newton direction lowers the potential";
       break;
     }
-    if (progress.ended(step.fell, report.increment)) {
+    if (progress.ended(step.share, report.increment)) {
       report.reason = "the iteration makes no progress";
       break;
     }

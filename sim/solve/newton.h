@@ -37,8 +37,8 @@ class Newton {
   bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, double tolerance,
                  StepReport& report);
   struct Move {
-    double a;   // of dx_ that was taken
-    bool fell;  // the potential, by more than its round-off
+    double a;      // of dx_ that was taken
+    double share;  // fall of the potential beyond its round-off, over what the slope promises for all of dx_
   };
   Move line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
                    StepReport& report);
