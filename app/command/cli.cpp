@@ -66,10 +66,11 @@ void add_scene_options(CLI::App& command, Options& options) {
         ->type_name("NUMBER")
         ->trigger_on_parse();
   }
-  command.add_option("--threads", options.threads, "Cores to use; the results do not depend on it")
+  command
+      .add_option("--threads", options.threads,
+                  "Cores to use, all of them when not given; the results do not depend on it")
       ->check(CLI::Range(1, kMostThreads))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   command
       .add_option_function<std::uint64_t>(
           "--seed",

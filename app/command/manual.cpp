@@ -23,9 +23,10 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-// "-o,--out DIR", "SCENE"
+// "-o,--out DIR", "--every N", "SCENE"
 std::string usage(const CLI::Option& option) {
-  const std::string name = option.get_name(false, true), type = option.get_type_name();
+  const std::string name = option.get_name(false, true);
+  const std::string type = option.get_type_name().substr(0, option.get_type_name().find(':'));  // without its range
   return option.get_positional() || type.empty() ? name : name + " " + type;
 }
 
