@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/base/nearest.h"
+#include "app/base/shipped.h"
 #include "app/scene/scene_value.h"
 #include "sim/mesh/input_error.h"
 
@@ -182,6 +183,13 @@ void Reader::read_path(std::string_view path, const toml::node& node) {
   read_value_at(at, node);
 }
 
+// Of the scenes that come with the program, the one whose name was misspelt.
+std::string meant_scene(const std::filesystem::path& given) {
+  const std::vector<std::string> shipped = shipped_scenes();
+  const std::vector<std::string_view> names(shipped.begin(), shipped.end());
+  return suggestion(given.string(), names);
+}
+
 bool below(std::string_view path, std::string_view ancestor) {
   return path.size() > ancestor.size() && path.starts_with(ancestor) && path[ancestor.size()] == '.';
 }
@@ -204,7 +212,7 @@ void drop_excluded(std::vector<Item>& items, const Item& item) {
 
 Layer read_layer(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!std::filesystem::exists(file)) throw SceneError(file.string() + ": there is no such file");
+  if (!std::filesystem::exists(file)) throw SceneError(file.string() + ": there is no such file" + meant_scene(file));
   if (std::filesystem::is_directory(file)) throw SceneError(file.string() + ": is a folder, not a scene file");
   std::ostringstream text;
   if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();

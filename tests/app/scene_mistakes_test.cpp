@@ -236,6 +236,7 @@ TEST_F(SceneFile, MistakesInOverrides) {
 TEST_F(SceneFile, FilesThatCannotBeRead) {
   const std::string none = (folder_ / "none.toml").string();
   EXPECT_EQ(error_of([&] { load_scene(none); }), none + ": there is no such file");
+  EXPECT_EQ(error_of([&] { load_scene("baer"); }), "baer: there is no such file; did you mean \"bear\"?");
   EXPECT_EQ(error_of([&] { load_scene(folder_.path()); }), folder_.path().string() + ": is a folder, not a scene file");
   EXPECT_EQ(error_of([&] { load_scene(file("a.toml", kBeam), none); }), none + ": there is no such file");
 }
