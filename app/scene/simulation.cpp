@@ -25,7 +25,7 @@ std::shared_ptr<const sim::System> build_system(const Document& document, int th
   try {
     return std::make_shared<const sim::System>(document.scene, threads);
   } catch (const sim::InputError& error) {
-    throw located(error, document.places);
+    throw SceneError(located(error, document.places).message);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "app/base/process.h"
 #include "app/base/text.h"
 #include "app/session/session_file.h"
 #include "render/compare.h"
@@ -72,20 +73,13 @@ class Process {
   pid_t pid_ = -1;
 };
 
-bool there_is(const std::string& program) {
-  std::istringstream folders(std::getenv("PATH") != nullptr ? std::getenv("PATH") : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
-
 const std::string kRitz = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ritz";
 
 class WindowTest : public SessionScene {
  protected:
   void SetUp() override {
-    if (!there_is("Xvfb") || !there_is("xdotool")) GTEST_SKIP() << "Xvfb and xdotool are not installed: tests/run does";
+    if (!is_installed("Xvfb") || !is_installed("xdotool"))
+      GTEST_SKIP() << "Xvfb and xdotool are not installed: tests/run does";
     // Xvfb takes a display that is free and writes its number.
     display_ = std::make_unique<Process>(
         std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"},
