@@ -56,7 +56,7 @@ TEST(Interpolation, OfAPolynomialOfTheElementIsExact) {
   }
 }
 
-// tests/data/lecture/shape_functions.json
+// Numbers of a separate program, ten digits.
 template <class E>
 void expect_shape(const ElementX<E, 2>& X_e, const std::array<double, 2>& xi, const std::array<double, E::nodes>& N,
                   const Eigen::Matrix<double, E::nodes, 2>& dN_dX, double det_J) {
