@@ -168,6 +168,14 @@ void add_stress_options(CLI::App& command, Options& options) {
       ->type_name("PATTERN");
 }
 
+void add_residual_options(CLI::App& command, Options& options) {
+  add_named(command, "PROBLEM", options.problem,
+            "Problem file (TOML); those of assets/lectures/problems when not given", "TEXT");
+  add_named(command, "-o,--out", options.out, "Folder; out/residuals or out/residuals/NAME when not given", "DIR");
+  command.add_flag("--overwrite", options.overwrite, "Replace what an earlier run left in the folder");
+  command.add_flag("--anyway", options.anyway, "Use Ritz's method where L is not self-adjoint, too");
+}
+
 void add_window_options(CLI::App& command, Options& options) {
   add_size_options(command, options, "Size of the window in pixels [1280x720]");
   add_named(command, "--log", options.log, "Write every input with its step, for ritz record --replay", "FILE");
@@ -204,6 +212,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   add_trade_output_options(command("trade"), options);
   add_trade_options(command("trade"), options.trade);
   add_stress_options(command("stress"), options);
+  add_residual_options(command("residuals"), options);
   CLI::App& explain = command("explain");
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");

@@ -14,6 +14,7 @@ std::span<const Command> commands() {
       {"explain", "What is modelled and what it costs, before a step is taken", explain},
       {"trade", "Speed against accuracy, measured: table, plot, advice", trade},
       {"stress", "Stability at the extremes, measured: table and CSV", stress},
+      {"residuals", "The weighted residual methods of the lecture, side by side: table, CSV, diagrams", residuals},
       {"scenes", "The scenes that come with it, by the names that every command takes", scenes},
   };
   return table;

@@ -47,6 +47,8 @@ struct Options {
   std::filesystem::path log;        // view: where the session is written; empty: nowhere
   bool names = false;               // scenes: print their names only
   bool keys = false;                // explain: print the reference of the keys, no scene
+  std::filesystem::path problem;    // residuals: the problem file; empty: those that come with the program
+  bool anyway = false;              // residuals: Ritz's method where L is not self-adjoint too
   TradeOptions trade;
 };
 
