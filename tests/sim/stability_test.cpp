@@ -80,6 +80,32 @@ TEST(Stability, UntanglingLeadsOutOfStuckStates) {
   EXPECT_GE(stuck, 5);  // without it
 }
 
+// An iteration that is cut short hands on no energy that the step did not have: kinetic and elastic energy never grow,
+// whatever the cap, and the step says that it is not solved.
+TEST(Stability, ACapOfIterationsNeverFeedsEnergy) {
+  for (const int cap : {1, 5, 20}) {
+    int capped = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      Scene scene = block("stable-neo-hookean", "backward-euler", "scrambled", seed);
+      scene.solver.max_iterations = cap;
+      scene.solver.on_failure = OnFailure::accept;
+      Stepped run(scene);
+      const auto energy = [&] {
+        const Measures now = run.system.measure(run.state);
+        return now.kinetic + now.elastic;
+      };
+      for (double before = energy(), now = 0; run.state.step < 8; before = now) {
+        const StepReport report = run.stepper->step(run.state);
+        ASSERT_EQ(report.failure, "") << cap << ", seed " << seed;
+        capped += !report.converged;
+        now = energy();
+        ASSERT_LE(now, before * (1 + 1e-9)) << cap << ", seed " << seed << ", step " << report.step;
+      }
+    }
+    EXPECT_GT(capped, 0) << cap;
+  }
+}
+
 // The same problem in other units of length: the same shapes, to round-off.
 TEST(Stability, SizeDoesNotMatter) {
   Eigen::VectorXd first;
