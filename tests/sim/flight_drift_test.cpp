@@ -25,7 +25,7 @@ FlightDrift drift_of(const System& system) {
   return flight_drift(system, 30, [] { return false; });
 }
 
-// v = v_0 + g t. By backward Euler the centre is at c_k = c_0 + v_0 t_k + g h^2 k(k+1)/2 after k steps, and the next step
+// v = v_0 + g t. By backward Euler the centre is at c_k = c_0 + v_0 t_k + g h^2 k(k+1)/2 after k steps, and one more
 // adds h c_k x m g to L = m c x v.
 TEST(FlightDrift, OfAThrownBodyIsWhatTheFallMakesOfIt) {
   const Vec3 v(3, 4, 0), g(0, 0, -1.5), c(1, 0.5, 0.5);
