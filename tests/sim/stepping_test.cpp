@@ -205,10 +205,8 @@ TEST(Failures, LeaveTheStateAsItWas) {
   run.state.v[20] = 1e300;
   const std::uint64_t before = hash(run.state);
   const StepReport report = run.stepper->step(run.state);
-  if (!report.failure.empty()) {
-    EXPECT_EQ(hash(run.state), before);
-  }
-  EXPECT_TRUE(run.state.x.allFinite());
+  EXPECT_NE(report.failure, "");
+  EXPECT_EQ(hash(run.state), before);
 }
 
 }  // namespace
