@@ -44,8 +44,8 @@ void make_body(MeshSpec& spec, const std::string& path, sim::Body& body, std::ve
   }
 }
 
-// A body that something is wrong with gets no mesh.
-void make_bodies(Document& document, const std::filesystem::path& folder, Mistakes& mistakes) {
+// A body that something is wrong with gets no mesh, and neither does one that only stands in a gap of the list.
+void make_bodies(Document& document, const std::filesystem::path& folder, const Places& places, Mistakes& mistakes) {
   sim::Scene& scene = document.scene;
   scene.dimension = 2;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -53,7 +53,7 @@ void make_bodies(Document& document, const std::filesystem::path& folder, Mistak
     sim::Body& body = scene.bodies[i];
     MeshSpec& spec = document.meshes[i];
     if (body.name.empty()) body.name = "body" + std::to_string(i);
-    if (mistakes.in_part_of(path)) continue;
+    if (mistakes.in_part_of(path) || !places.contains(path)) continue;
     if (spec.source == MeshSource::file) spec.file = folder / spec.file;
     std::vector<std::string> remarks;
     mistakes.collect([&] { make_body(spec, path, body, remarks); });
@@ -92,7 +92,7 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   apply(items, document);
   choose_substeps(document.scene.time, places);
   mistakes.next_stage();
-  make_bodies(document, scene.parent_path(), mistakes);
+  make_bodies(document, scene.parent_path(), places, mistakes);
   mistakes.next_stage();
   const bool made = all_are_made(document.scene);
   if (made) check_dimension(items, document.scene.dimension, mistakes);

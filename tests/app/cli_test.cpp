@@ -110,7 +110,6 @@ TEST(CommandLine, HelpIsNotAnError) {
 
 TEST(CommandLine, MistakesAreBadInput) {
   const std::vector<std::vector<std::string>> mistakes = {
-      {},
       {"recrod", "a.toml"},
       {"record"},
       {"record", "a.toml", "b.toml"},
