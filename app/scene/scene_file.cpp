@@ -44,7 +44,7 @@ void make_body(MeshSpec& spec, const std::string& path, sim::Body& body, std::ve
   }
 }
 
-// A body that something is wrong with gets no mesh, nor one that is missing in a list with a gap.
+// A body that something is wrong with gets no mesh, and neither does one that only stands in a gap of the list.
 void make_bodies(Document& document, const std::filesystem::path& folder, const Places& places, Mistakes& mistakes) {
   sim::Scene& scene = document.scene;
   scene.dimension = 2;
