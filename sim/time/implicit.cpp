@@ -26,20 +26,15 @@ ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int t
 
 // Puts the start of the iteration into x_, v_: free flight, the acceleration of the step before carried on, or x_n,
 // whichever has the lowest potential. No iterate has a higher one, so that even an iteration which is cut short ends no
-// higher than where the step began.
-void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
+// higher than where the step began. Returns that potential, where it was evaluated.
+std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
-  const auto place = [&] {
-    if (problem.gh != 0) x_ = x_star_ + problem.gh * v_;
-    model_.pins.prescribe(problem.t, x_, v_);
-    return newton_.potential(problem, motion);
-  };
   if (scheme.is_static || scheme.one_iteration) {
     x_ = next_.x;
     v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size()))
                          : Eigen::VectorXd((x_ - x_star_) / problem.gh);
     model_.pins.prescribe(problem.t, x_, v_);
-    return;
+    return {};
   }
   const auto aim = [&](Guess start) {
     if (start == Guess::flight)
@@ -48,19 +43,22 @@ void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, d
       v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
     else
       v_ = (next_.x - x_star_) / problem.gh;
-    return place();
+    x_ = x_star_ + problem.gh * v_;
+    model_.pins.prescribe(problem.t, x_, v_);
   };
   Guess best = Guess::stay, last = Guess::stay;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Guess start : {Guess::stay, Guess::flight, Guess::carried_on}) {
     if (start == Guess::carried_on && next_.v_before.size() == 0) continue;
     last = start;
-    if (const double potential = aim(start); potential < lowest) {
+    aim(start);
+    if (const double potential = newton_.potential(problem, motion); potential < lowest) {
       lowest = potential;
       best = start;
     }
   }
   if (best != last) aim(best);
+  return lowest;
 }
 
 bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin,
@@ -83,8 +81,8 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
   }
   const StageProblem problem{
       x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, t_begin + stage.end * h, scheme.one_iteration};
-  guess(problem, scheme, h);
-  if (!newton_.solve(problem, x_, v_, report)) return false;
+  const std::optional<double> start = guess(problem, scheme, h);
+  if (!newton_.solve(problem, start, x_, v_, report)) return false;
   // What was frozen at the step's start cost an order of accuracy; frozen at the stage's solution it does not.
   const int again = newton_.tangent().lags() && !scheme.one_iteration ? model_.solver.lag_iterations : 0;
   for (int k = 0; k < again; ++k) {
@@ -92,7 +90,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     v_lagged_ = v_;
     const Motion lagged{x_lagged_, v_lagged_, problem.t, 0};
     newton_.tangent().begin_step(lagged);
-    if (!newton_.solve(problem, x_, v_, report)) return false;
+    if (!newton_.solve(problem, {}, x_, v_, report)) return false;
   }
   if (problem.gh != 0) {
     // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
@@ -137,7 +135,7 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
   const auto& [t, t_end, h, depth] = interval;
   const bool released = model_.pins.released(t_end) != model_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
-  if (released) next_.kept.valid = 0;
+  if (released) next_.kept.what = 0;
   newton_.begin_step(begin, t_end, next_.kept);
   if (next_.force.size() == 0 || released) {
     next_.force.resize(model_.dofs());

@@ -77,8 +77,8 @@ TEST(Allocations, NoneInAStepAfterTheFirst) {
   if (!test::can_count_allocations()) GTEST_SKIP();
   for (const char* integrator :
        {"symplectic-euler", "central-difference", "backward-euler", "sdirk2", "tr-bdf2", "bdf2"})
-    for (const LinearSolverKind linear :
-         {LinearSolverKind::cholmod, LinearSolverKind::pcg, LinearSolverKind::pcg_assembled}) {
+    for (const LinearSolverKind linear : {LinearSolverKind::cholmod, LinearSolverKind::pcg,
+                                          LinearSolverKind::pcg_assembled, LinearSolverKind::two_level}) {
       Scene scene = test::beam("tet4", 2);
       scene.time.integrator = integrator;
       scene.time.substeps = 20;
