@@ -15,7 +15,7 @@ constexpr int kGaussPoints = 20;   // a panel
 constexpr int kDeepest = 30;       // halvings
 constexpr int kMostPanels = 4000;  // of all
 constexpr int kFewestPanels = 8;
-constexpr Real kRoundOff = 1e-15L;  // of the largest coefficient anywhere
+constexpr Real kRoundOff = 1e-15L;  // of the largest value
 
 struct Part {
   const char* key;
@@ -96,10 +96,10 @@ void refuse_singular(const Part& part, const Panel& panel, const View& view, Rea
   throw ProblemError(part.key, text.str());
 }
 
-[[noreturn]] void refuse_fast(const Part& part) {
-  throw ProblemError(part.key, std::string(part.key) + " swings too fast: it must be resolved by " +
-                                   std::to_string(kMostPanels) + " panels of " + std::to_string(kGaussPoints) +
-                                   " points");
+[[noreturn]] void refuse_unresolved(const Part& part) {
+  throw ProblemError(part.key, std::string(part.key) + " is not resolved by " + std::to_string(kMostPanels) +
+                                   " panels of " + std::to_string(kGaussPoints) +
+                                   " points: must be bounded, and must not swing so fast");
 }
 
 // Halves the panels on which this function is not resolved.
@@ -115,13 +115,13 @@ void refine(const Sieve& sieve, const Part& part, std::vector<Panel>& panels) {
     const Panel panel = waiting.back();
     waiting.pop_back();
     const View view = sieve.look(part, panel);
-    const bool deepest = panel.depth == kDeepest;
-    if (deepest && view.tail > kRoundOff * scale) refuse_singular(part, panel, view, mean);
-    if (deepest || view.tail <= kRoundOff * scale) {
+    const bool deepest = panel.depth == kDeepest, resolved = view.tail <= kRoundOff * std::max(scale, view.size);
+    if (deepest && !resolved) refuse_singular(part, panel, view, mean);
+    if (deepest || resolved) {
       fine.push_back(panel);
       continue;
     }
-    if (fine.size() + waiting.size() > kMostPanels) refuse_fast(part);
+    if (fine.size() + waiting.size() > kMostPanels) refuse_unresolved(part);
     const Real middle = (panel.low + panel.high) / 2;
     waiting.push_back({middle, panel.high, panel.depth + 1});
     waiting.push_back({panel.low, middle, panel.depth + 1});
