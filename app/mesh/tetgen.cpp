@@ -20,7 +20,7 @@ void expect_number(Cursor& in, int index, std::int64_t& first, std::string_view 
   }
 }
 
-int read_count(Cursor& in, std::string_view what, std::size_t bytes_each) {
+int read_first_count(Cursor& in, std::string_view what, std::size_t bytes_each) {
   const int count = in.checked_count(in.whole(what), bytes_each, what);
   if (count == 0) in.fail(std::string(what) + " is 0; a mesh has at least one");
   return count;
@@ -30,7 +30,7 @@ class TetgenReader {
  public:
   // Points, dimension, attributes, markers; then number, x, y (, z), attributes, marker of each.
   void read_points(Cursor& in) {
-    const int count = read_count(in, "the number of points", 6);
+    const int count = read_first_count(in, "the number of points", 6);
     dimension_ = static_cast<int>(in.integer("the dimension", 2, 3));
     const std::int64_t attributes = in.line_finished() ? 0 : in.integer("the number of attributes", 0, 1000);
     const bool marked = !in.line_finished() && in.integer("the number of markers", 0, 1) == 1;
@@ -57,7 +57,7 @@ class TetgenReader {
   // Elements, nodes of each, attributes; then number, nodes, attributes of each, of which the first is its region.
   void read_elements(Cursor& in) {
     const int corners = dimension_ + 1;
-    const int count = read_count(in, "the number of elements", 2 + 2 * static_cast<std::size_t>(corners));
+    const int count = read_first_count(in, "the number of elements", 2 + 2 * static_cast<std::size_t>(corners));
     const std::int64_t nodes = in.line_finished() ? corners : in.integer("the number of nodes per element", 3, 10);
     if (nodes != corners) {
       in.fail("elements have " + std::to_string(nodes) + " nodes; " + std::to_string(corners) +

@@ -14,7 +14,7 @@ Simulation case_of(const std::string& name, const std::vector<Override>& overrid
   return build_simulation(options);
 }
 
-Override with(const std::string& key, const std::string& value) {
+Override case_setting(const std::string& key, const std::string& value) {
   return {key, value, "--set " + key + "=" + value};
 }
 
@@ -45,24 +45,24 @@ TEST(Cases, AGroupNumberThatIsUsedTwiceIsToldByItsDimension) {
                 .find("2 groups are called \"1\", of dimension 2 (3 nodes), 3 "
                       "(5 nodes): say which with dimension = 2"),
             std::string::npos);
-  const Simulation triangle = case_of("same-number-groups", {with("body.0.pin.0.dimension", "2")});
+  const Simulation triangle = case_of("same-number-groups", {case_setting("body.0.pin.0.dimension", "2")});
   EXPECT_EQ(triangle.system->counts().free_dofs, 6);
   expect_end(triangle, {0.0095426, -0.0191101, -0.0064597}, 1e-6);
-  const Simulation all = case_of("same-number-groups", {with("body.0.pin.0.dimension", "3")});
+  const Simulation all = case_of("same-number-groups", {case_setting("body.0.pin.0.dimension", "3")});
   EXPECT_EQ(all.system->counts().free_dofs, 0);
 }
 
 TEST(Cases, NodesThatCoincideAreCountedAndJoinedOnDemand) {
   EXPECT_EQ(remarks_with(case_of("coincident-nodes"), "3 nodes stand where others do, and the body is in 2 parts"), 1);
-  const Simulation joined = case_of("coincident-nodes", {with("body.0.mesh.merge", "true")});
+  const Simulation joined = case_of("coincident-nodes", {case_setting("body.0.mesh.merge", "true")});
   EXPECT_EQ(remarks_with(joined, "3 nodes joined with others; the body is in 1 parts"), 1);
   expect_end(joined, {0.002915, -0.006694, 0.002915}, 1e-6);
 }
 
 TEST(Cases, AFlatMeshCanBeAMembraneInSpace) {
   const Simulation simulation = case_of(
-      "map-coordinates",
-      {with("body.0.mesh.space", "3"), with("body.0.mesh.translate", "[0, 0, 1]"), with("probe.0.at", "[4, 0.5, 1]")});
+      "map-coordinates", {case_setting("body.0.mesh.space", "3"), case_setting("body.0.mesh.translate", "[0, 0, 1]"),
+                          case_setting("probe.0.at", "[4, 0.5, 1]")});
   EXPECT_EQ(simulation.document.scene.dimension, 3);
   EXPECT_EQ(simulation.document.scene.bodies[0].mesh.X.row(2).minCoeff(), 1);
 }
