@@ -50,13 +50,17 @@ std::string quote(std::string_view word) {
   return '"' + text + (word.size() > longest ? "...\"" : "\"");
 }
 
-Cursor::Cursor(std::string_view content, std::string_view name, char comment)
-    : content_(content), name_(name), comment_(comment) {}
+Cursor::Cursor(std::string_view content, std::string_view name, char comment, char separator)
+    : content_(content), name_(name), comment_(comment), separator_(separator) {}
+
+std::string Cursor::where(std::size_t item) const {
+  if (offsets_) return name_ + ": offset " + std::to_string(item);
+  const auto line = 1 + std::count(content_.begin(), content_.begin() + static_cast<std::ptrdiff_t>(item), '\n');
+  return name_ + ":" + std::to_string(line);
+}
 
 void Cursor::fail(const std::string& message) const {
-  if (offsets_) throw FileError(name_ + ": offset " + std::to_string(item_) + ": " + message);
-  const auto line = 1 + std::count(content_.begin(), content_.begin() + static_cast<std::ptrdiff_t>(item_), '\n');
-  throw FileError(name_ + ":" + std::to_string(line) + ": " + message);
+  throw FileError(where(item_) + ": " + message);
 }
 
 bool Cursor::line_finished() {
@@ -85,8 +89,11 @@ std::string_view Cursor::word(std::string_view what) {
   const bool none = finished();
   item_ = position_;
   if (none) fail("the file ends where " + std::string(what) + " should be");
-  while (position_ < content_.size() && !is_space(content_[position_])) ++position_;
-  return content_.substr(item_, position_ - item_);
+  const auto separates = [this] { return separator_ != '\0' && content_[position_] == separator_; };
+  while (position_ < content_.size() && !is_space(content_[position_]) && !separates()) ++position_;
+  const std::string_view text = content_.substr(item_, position_ - item_);
+  if (separator_ != '\0' && !line_finished() && separates()) ++position_;
+  return text;
 }
 
 void Cursor::expect(std::string_view text) {
@@ -131,6 +138,19 @@ double Cursor::real(std::string_view what) {
     fail(std::string(what) + " is " + quote(text) + "; it should be a finite number");
   }
   return value;
+}
+
+void Cursor::take(std::string_view text, std::string_view what) {
+  finished();
+  item_ = position_;
+  if (!starts_with(text)) fail(std::string(what) + " should begin here with " + quote(text));
+  position_ += text.size();
+}
+
+std::string_view Cursor::up_to(char end) {
+  const std::size_t start = position_;
+  position_ = std::min(content_.find(end, position_), content_.size());
+  return content_.substr(start, position_ - start);
 }
 
 std::string_view Cursor::bytes(std::size_t size, std::string_view what) {

@@ -13,8 +13,9 @@ namespace app {
 class Cursor {
  public:
   // The contents must outlive the cursor; name is the file's, for messages. A comment runs from the given
-  // character to the end of its line ('\0': the format has no comments).
-  Cursor(std::string_view content, std::string_view name, char comment = '\0');
+  // character to the end of its line ('\0': the format has no comments). A separator ends a word as a blank does, but
+  // each separates two words, of which either may be empty.
+  Cursor(std::string_view content, std::string_view name, char comment = '\0', char separator = '\0');
 
   const std::string& name() const { return name_; }
   std::size_t left() const { return content_.size() - position_; }
@@ -39,6 +40,16 @@ class Cursor {
 
   // From now on errors say the offset in bytes, not the line.
   void use_offsets() { offsets_ = true; }
+  // Takes this text, which must follow here, blanks and line ends before it aside.
+  void take(std::string_view text, std::string_view what);
+  bool starts_with(std::string_view text) const { return content_.substr(position_).starts_with(text); }
+  // What stands before the next such character, or the end of the file.
+  std::string_view up_to(char end);
+  // The character that follows, without taking it; '\0' at the end of the file.
+  char peek() const { return left() > 0 ? content_[position_] : '\0'; }
+  // Where the next item is searched, and back to such a place.
+  std::size_t position() const { return position_; }
+  void go_to(std::size_t position) { position_ = position; }
   // The next `size` bytes as they are.
   std::string_view bytes(std::size_t size, std::string_view what);
   // Goes on after the next occurrence of text; false, and nothing changes, when there is none.
@@ -48,12 +59,16 @@ class Cursor {
   // unless the rest of the file is too short for them. Nothing may be reserved for a count that was not checked.
   int checked_count(std::int64_t count, std::size_t bytes_each, std::string_view what) const;
 
+  // Of the item that was taken last: its offset, and file and line (or offset) of such an item for a message.
+  std::size_t item() const { return item_; }
+  std::string where(std::size_t item) const;
+
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
   std::string_view content_;
   std::string name_;
-  char comment_;
+  char comment_, separator_;
   bool offsets_ = false;
   std::size_t position_ = 0;
   std::size_t item_ = 0;  // where the item that was taken last starts

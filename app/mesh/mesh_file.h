@@ -1,4 +1,4 @@
-// A mesh in a file of any format that is known: Gmsh (.msh), TetGen (.node with .ele), Wavefront (.obj).
+// A mesh in a file of any format that is known: app/mesh/formats.cpp lists them.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace app {
 // Throws FileError, with file and line or offset.
 sim::Mesh read_mesh(const std::filesystem::path& path, std::vector<std::string>& remarks);
 
-// The same for the bytes of one file: Gmsh, told by its first line, or Wavefront, told by its name's ending.
+// The same for the bytes of a file, whose format its name's ending tells.
 sim::Mesh read_mesh(std::string_view content, std::string_view name, std::vector<std::string>& remarks);
 
 }  // namespace app

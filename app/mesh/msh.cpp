@@ -1,21 +1,41 @@
 #include "app/mesh/msh.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 #include <limits>
 
+#include "app/mesh/msh1.h"
 #include "app/mesh/msh2.h"
 #include "app/mesh/msh4.h"
+#include "app/mesh/msh40.h"
 #include "app/mesh/msh_mesh.h"
 
 namespace app {
 namespace {
 
+struct MshVersion {
+  std::string_view names;  // in the file's head, a blank behind each
+  std::string_view nodes_section, elements_section;
+  int point_numbers;  // of an entity; 0: there are none
+  void (*nodes)(MshFields&, MshContents&);
+  void (*elements)(MshFields&, const MshEntities&, MshContents&);
+};
+
+constexpr std::array<MshVersion, 4> msh_versions = {
+    {{"", "NOD", "ELM", 0, read_msh2_nodes,
+      [](MshFields& in, const MshEntities&, MshContents& contents) { read_msh1_elements(in, contents); }},
+     {"2 2.0 2.1 2.2 ", "Nodes", "Elements", 0, read_msh2_nodes,
+      [](MshFields& in, const MshEntities&, MshContents& contents) { read_msh2_elements(in, contents); }},
+     {"4 4.0 ", "Nodes", "Elements", 6, read_msh40_nodes, read_msh40_elements},
+     {"4.1 ", "Nodes", "Elements", 3, read_msh4_nodes, read_msh4_elements}}};
+
 struct Format {
-  bool version4;  // else 2.0 to 2.2
-  bool binary;
-  bool swapped;
+  const MshVersion* version;
+  bool binary = false;
+  bool swapped = false;
 };
 
 // In binary files the integer 1 follows the line of the format: it tells the byte order.
@@ -31,16 +51,17 @@ bool read_byte_order(Cursor& in) {
   return mark != 1;
 }
 
-// $MeshFormat, version, 0 for text or 1 for binary, bytes of a real number (2.x) or a count (4.1).
+// Behind $MeshFormat: version, 0 for text or 1 for binary, bytes of a real number (2.x) or a count (4.1).
 Format read_format(Cursor& in) {
-  in.expect("$MeshFormat");
-  const std::string_view version = in.word("the version of the MSH format");
-  const bool version4 = version == "4.1";
-  if (!version4 && version != "2" && version != "2.0" && version != "2.1" && version != "2.2") {
-    in.fail("MSH version " + quote(version) +
-            " is not read; 2.2 and 4.1 are: gmsh FILE -save -format msh41 -o NEW.msh writes the latter");
+  const std::string_view name = in.word("the version of the MSH format");
+  const auto version = std::ranges::find_if(msh_versions, [&](const MshVersion& v) {
+    return (" " + std::string(v.names)).find(" " + std::string(name) + " ") != std::string::npos;
+  });
+  if (version == msh_versions.end()) {
+    in.fail("MSH version " + quote(name) +
+            " is not read; 1, 2.0 to 2.2, 4.0 and 4.1 are: gmsh -0 FILE -format msh41 -o NEW.msh writes the latter");
   }
-  Format format{version4, in.integer("the file type", 0, 1) == 1, false};
+  Format format{&*version, in.integer("the file type", 0, 1) == 1, false};
   in.integer("the data size", 8, 8);
   if (format.binary) format.swapped = read_byte_order(in);
   in.expect("$EndMeshFormat");
@@ -59,6 +80,7 @@ void read_physical_names(Cursor& in, MshContents& contents) {
   }
 }
 
+// To behind the section's end, which is a word of its own; in binary no line need end before it.
 void skip_section(Cursor& in, const std::string& section) {
   if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
     in.fail(quote(section) + " stands where a section such as $Nodes should begin");
@@ -67,7 +89,25 @@ void skip_section(Cursor& in, const std::string& section) {
     in.fail(section + " is not read: save the mesh without partitions and without parametric coordinates");
   }
   const std::string end = "$End" + section.substr(1);
-  if (!in.skip_past("\n" + end)) in.fail("the section " + quote(section) + " has no end " + quote(end));
+  do {
+    if (!in.skip_past(end)) in.fail("the section " + quote(section) + " has no end " + quote(end));
+  } while (in.left() > 0 && std::isspace(static_cast<unsigned char>(in.peek())) == 0);
+}
+
+// Up to the head, or the first section of version 1, which has none. Other sections may stand before.
+Format find_format(Cursor& in) {
+  for (;;) {
+    const std::size_t start = in.position();
+    const std::string section(in.word("$MeshFormat"));
+    if (section == "$MeshFormat") return read_format(in);
+    if (section == "$NOD") {
+      in.go_to(start);
+      return {&msh_versions[0]};
+    }
+    if (section == "$Nodes" || section == "$Elements")
+      in.fail(section + " stands before $MeshFormat; it should follow");
+    skip_section(in, section);
+  }
 }
 
 class Sections {
@@ -78,7 +118,8 @@ class Sections {
   MshContents read() {
     while (!in_.finished()) read_section(std::string(in_.word("a section")));
     if (!have_nodes_ || !have_elements_) {
-      in_.fail(std::string("the file ends without a section ") + (have_nodes_ ? "$Elements" : "$Nodes"));
+      in_.fail("the file ends without a section $" +
+               std::string(have_nodes_ ? format_.version->elements_section : format_.version->nodes_section));
     }
     return std::move(contents_);
   }
@@ -87,20 +128,25 @@ class Sections {
   void read_section(const std::string& section) {
     if (section == "$PhysicalNames") {
       read_physical_names(in_, contents_);
-    } else if (section == "$Nodes") {
+    } else if (section.substr(1) == format_.version->nodes_section) {
       start(section, have_nodes_);
-      format_.version4 ? read_msh4_nodes(fields_, contents_) : read_msh2_nodes(fields_, contents_);
-    } else if (section == "$Elements") {
+      format_.version->nodes(fields_, contents_);
+    } else if (section.substr(1) == format_.version->elements_section) {
       start(section, have_elements_);
       if (!have_nodes_) in_.fail("$Elements stands before $Nodes; it should follow");
-      format_.version4 ? read_msh4_elements(fields_, entities_, contents_) : read_msh2_elements(fields_, contents_);
-    } else if (section == "$Entities" && format_.version4) {
+      format_.version->elements(fields_, entities_, contents_);
+    } else if (section == "$Entities" && format_.version->point_numbers > 0) {
       if (format_.binary) in_.rest_of_line();
-      entities_ = read_msh4_entities(fields_);
+      entities_ = read_msh4_entities(fields_, format_.version->point_numbers);
     } else {
       return skip_section(in_, section);
     }
-    in_.expect("$End" + section.substr(1));
+    in_.expect(end_of(section));
+  }
+
+  // "$EndNodes", and "$ENDNOD" in version 1.
+  std::string end_of(const std::string& section) const {
+    return (format_.version == &msh_versions[0] ? "$END" : "$End") + section.substr(1);
   }
 
   // One such section only. In binary 4.1 its bytes start on the next line; 2.x has its count there, as text.
@@ -122,7 +168,7 @@ class Sections {
 
 sim::Mesh read_msh(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name);
-  const Format format = read_format(in);
+  const Format format = find_format(in);
   const MshContents contents = Sections(in, format).read();
   return make_mesh(contents, std::string(name), remarks);
 }

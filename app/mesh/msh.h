@@ -1,4 +1,4 @@
-// Gmsh meshes: MSH 2.0 to 2.2 and 4.1, text and binary.
+// Gmsh meshes: MSH 1, 2.0 to 2.2, 4.0 and 4.1, text and binary.
 #pragma once
 
 #include <string>

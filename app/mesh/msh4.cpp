@@ -7,8 +7,8 @@ namespace app {
 namespace {
 
 // Bounding box (a point's place, for a point), physical tags, and the entities that bound it.
-std::vector<int> read_entity(MshFields& in, int dimension) {
-  for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in.real("a coordinate of an entity");
+std::vector<int> read_entity(MshFields& in, int dimension, int point_numbers) {
+  for (int i = 0; i < (dimension == 0 ? point_numbers : 6); ++i) in.real("a coordinate of an entity");
   std::vector<int> physical;
   const int tag_count = in.count("the number of physical tags", 2, 4);
   for (int i = 0; i < tag_count; ++i) {
@@ -18,13 +18,6 @@ std::vector<int> read_entity(MshFields& in, int dimension) {
   const int bounds = in.count("the number of bounding entities", 2, 4);
   for (int i = 0; i < bounds; ++i) in.tag("a bounding entity");
   return physical;
-}
-
-// The total that stands at the head of a section, against the sum of its blocks.
-void check_total(const Cursor& in, std::int64_t total, std::size_t sum, std::string_view what) {
-  if (total == static_cast<std::int64_t>(sum)) return;
-  in.fail("the section announces " + std::to_string(total) + " " + std::string(what) + ", but its blocks have " +
-          std::to_string(sum));
 }
 
 // One entity's nodes: first their tags, then their coordinates, followed by the parameters on the entity if any.
@@ -42,14 +35,20 @@ void read_node_block(MshFields& in, std::vector<std::int64_t>& tags, MshContents
 
 }  // namespace
 
-MshEntities read_msh4_entities(MshFields& in) {
+void check_msh4_total(const Cursor& in, std::int64_t total, std::size_t sum, std::string_view what) {
+  if (total == static_cast<std::int64_t>(sum)) return;
+  in.fail("the section announces " + std::to_string(total) + " " + std::string(what) + ", but its blocks have " +
+          std::to_string(sum));
+}
+
+MshEntities read_msh4_entities(MshFields& in, int point_numbers) {
   std::array<int, 4> counts;
   for (int& count : counts) count = in.count("the number of entities", 10, 36);
   MshEntities entities;
   for (int dimension = 0; dimension < 4; ++dimension) {
     for (int i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
       const int tag = in.tag("the tag of an entity");
-      entities[{dimension, tag}] = read_entity(in, dimension);
+      entities[{dimension, tag}] = read_entity(in, dimension, point_numbers);
     }
   }
   return entities;
@@ -64,7 +63,7 @@ void read_msh4_nodes(MshFields& in, MshContents& contents) {
   tags.reserve(static_cast<std::size_t>(total));
   contents.coordinates.reserve(3 * static_cast<std::size_t>(total));
   for (int b = 0; b < blocks; ++b) read_node_block(in, tags, contents);
-  check_total(in.cursor(), total, tags.size(), "nodes");
+  check_msh4_total(in.cursor(), total, tags.size(), "nodes");
   number_nodes(in.cursor(), tags, contents);
 }
 
@@ -89,7 +88,7 @@ void read_msh4_elements(MshFields& in, const MshEntities& entities, MshContents&
     }
     sum += static_cast<std::size_t>(count);
   }
-  check_total(in.cursor(), total, sum, "elements");
+  check_msh4_total(in.cursor(), total, sum, "elements");
 }
 
 }  // namespace app

@@ -13,9 +13,13 @@ namespace app {
 // Physical tags of each entity of the model, by dimension and tag of the entity.
 using MshEntities = std::map<std::pair<int, int>, std::vector<int>>;
 
-// From behind the section's name to before its end. Throw FileError.
-MshEntities read_msh4_entities(MshFields& in);
+// From behind the section's name to before its end. Throw FileError. point_numbers: how many say where a point is:
+// three, or six in version 4.0.
+MshEntities read_msh4_entities(MshFields& in, int point_numbers);
 void read_msh4_nodes(MshFields& in, MshContents& contents);
 void read_msh4_elements(MshFields& in, const MshEntities& entities, MshContents& contents);
+
+// The total that stands at the head of a section, against the sum of its blocks.
+void check_msh4_total(const Cursor& in, std::int64_t total, std::size_t sum, std::string_view what);
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #include "app/mesh/msh_contents.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace app {
 
@@ -33,6 +34,12 @@ MshBlock& MshContents::block(const MshType& type, const std::vector<int>& physic
   return blocks.back();
 }
 
+int MshContents::tag_of(int dimension, const std::string& name) {
+  const auto [at, is_new] = tags_of_names.try_emplace({dimension, name}, static_cast<int>(tags_of_names.size()) + 1);
+  if (is_new) names[{dimension, at->second}] = name;
+  return at->second;
+}
+
 const MshType& msh_type(const Cursor& in, std::int64_t number) {
   const MshType* type = find_msh_type(number);
   if (type == nullptr) {
@@ -47,6 +54,19 @@ void number_nodes(const Cursor& in, const std::vector<std::int64_t>& tags, MshCo
   if (const auto tag = contents.tags.repeated()) {
     in.fail("two nodes above have the number " + std::to_string(*tag) + "; each node needs its own");
   }
+}
+
+void number_nodes_from(const Cursor& in, std::int64_t first, MshContents& contents) {
+  std::vector<std::int64_t> tags(contents.coordinates.size() / 3);
+  std::iota(tags.begin(), tags.end(), first);
+  number_nodes(in, tags, contents);
+}
+
+void add_element(const Cursor& in, const MshType& type, const std::vector<int>& physical,
+                 const std::vector<std::int64_t>& node_tags, MshContents& contents) {
+  MshBlock& block = contents.block(type, physical);
+  for (int local = 0; local < type.nodes; ++local)
+    add_node(in, contents.tags, node_tags[static_cast<std::size_t>(local)], local, block);
 }
 
 void add_node(const Cursor& in, const NodeTags& tags, std::int64_t tag, int local, MshBlock& block) {

@@ -1,4 +1,5 @@
-// What a Gmsh file says, before a mesh is made of it: nodes, elements and physical groups, whatever its version.
+// What a mesh file says, before a mesh is made of it, in Gmsh's terms: nodes, elements and physical groups. All formats
+// that have elements of several kinds are put into these.
 #pragma once
 
 #include <cstdint>
@@ -39,14 +40,24 @@ struct MshContents {
   std::vector<double> coordinates;  // x, y, z of each node [m]
   NodeTags tags;
   std::vector<MshBlock> blocks;
-  std::map<std::pair<int, int>, std::string> names;  // of the physical groups, by dimension and tag
+  std::map<std::pair<int, int>, std::string> names;          // of the physical groups, by dimension and tag
+  std::map<std::pair<int, std::string>, int> tags_of_names;  // those that tag_of gave
 
+  // The tag of the group with this name; a new one where there is none.
+  int tag_of(int dimension, const std::string& name);
   // The block that an element of this type and groups joins: the last one, or a new one behind it.
   MshBlock& block(const MshType& type, const std::vector<int>& physical);
 };
 
 // The type with this number; fails when it is none that is known.
 const MshType& msh_type(const Cursor& in, std::int64_t number);
+
+// The nodes have the numbers first, first + 1, ... in the order of the file.
+void number_nodes_from(const Cursor& in, std::int64_t first, MshContents& contents);
+
+// An element of this type and in these groups, of nodes given by their tags in the file.
+void add_element(const Cursor& in, const MshType& type, const std::vector<int>& physical,
+                 const std::vector<std::int64_t>& node_tags, MshContents& contents);
 
 // Closes the list of nodes: fails when two have the same tag.
 void number_nodes(const Cursor& in, const std::vector<std::int64_t>& tags, MshContents& contents);

@@ -1,19 +1,15 @@
 #include "app/mesh/msh_fields.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "app/mesh/binary.h"
 
 namespace app {
 
 template <class T>
 T MshFields::value(std::string_view what) {
-  std::array<char, sizeof(T)> raw;
-  std::copy_n(cursor_.bytes(sizeof(T), what).data(), sizeof(T), raw.data());
-  if (swapped_) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<T>(raw);
+  return from_bytes<T>(cursor_.bytes(sizeof(T), what), swapped_);
 }
 
 int MshFields::integer(std::string_view what, int low, int high) {

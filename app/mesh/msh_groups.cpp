@@ -53,12 +53,10 @@ class Groups {
   std::vector<sim::Group> finish(std::vector<std::string>& remarks) {
     remark(remarks);
     std::vector<sim::Group> groups;
-    std::map<std::string, Part> parts = merge_names(remarks);
-    for (const std::string& group : order_) {
-      Part& part = parts[group];
+    for (auto& [key, part] : merge_names(remarks)) {
       sort_unique(part.nodes);
       sort_unique(part.elements);
-      groups.push_back({group, std::move(part.nodes), std::move(part.elements), {}});
+      groups.push_back({key.second, std::move(part.nodes), std::move(part.elements), {}, key.first});
       if (!part.facets.empty()) groups.back().facets = unique_facets(part.facets, facet_nodes_);
     }
     return groups;
@@ -108,14 +106,18 @@ class Groups {
     }
   }
 
-  // Groups of different dimensions may share a name, or a number when they have none.
-  std::map<std::string, Part> merge_names(std::vector<std::string>& remarks) {
-    std::map<std::string, Part> merged;
+  // By dimension and name, in the order of dimension and tag. Two groups of one dimension with one name are one.
+  std::vector<std::pair<std::pair<int, std::string>, Part>> merge_names(std::vector<std::string>& remarks) {
+    std::vector<std::pair<std::pair<int, std::string>, Part>> merged;
     for (auto& [key, part] : parts_) {
-      const std::string group = group_name(key);
-      const auto [at, is_new] = merged.try_emplace(group);
-      if (is_new) order_.push_back(group);
-      if (!is_new) remarks.push_back(name_ + ": several physical groups are called " + quote(group) + ": taken as one");
+      const std::pair<int, std::string> group = {key.first, group_name(key)};
+      const auto at = std::ranges::find(merged, group, &std::pair<std::pair<int, std::string>, Part>::first);
+      if (at == merged.end()) {
+        merged.emplace_back(group, std::move(part));
+        continue;
+      }
+      remarks.push_back(name_ + ": several physical groups of dimension " + std::to_string(group.first) +
+                        " are called " + quote(group.second) + ": taken as one");
       for (const auto list : {&Part::nodes, &Part::elements, &Part::facets}) {
         (at->second.*list).insert((at->second.*list).end(), (part.*list).begin(), (part.*list).end());
       }
@@ -128,7 +130,6 @@ class Groups {
   const std::string& name_;
   int facet_nodes_;
   std::map<Key, Part> parts_;
-  std::vector<std::string> order_;
   std::size_t apart_ = 0;
 };
 

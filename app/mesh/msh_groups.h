@@ -16,9 +16,9 @@ struct MshIndex {
   std::vector<int> elements;  // by position among the file's elements of the body's type
 };
 
-// Groups in the order of dimension and tag. Those of one name become one group. Elements of lower dimension that
-// do not lie on the body and groups that remain empty are left out, with a remark. Throws FileError for facets
-// that do not fit the body's elements.
+// Groups in the order of dimension and tag. Those of one dimension and name become one group. Elements of lower
+// dimension that do not lie on the body and groups that remain empty are left out, with a remark. Throws FileError for
+// facets that do not fit the body's elements.
 std::vector<sim::Group> make_groups(const MshContents& contents, const MshIndex& index, const std::string& name,
                                     std::vector<std::string>& remarks);
 

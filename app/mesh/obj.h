@@ -9,8 +9,8 @@
 
 namespace app {
 
-// Reads vertices (v) and faces (f); the rest (normals, textures, materials, ...) is passed over. Convex polygons are
-// cut into triangles, with a remark. When all vertices have the same z, the mesh is in the plane. Throws FileError.
+// Reads vertices (v) and faces (f); the rest (normals, textures, materials, ...) is passed over. What becomes of faces:
+// app/mesh/face_set.h. Throws FileError.
 sim::Mesh read_obj(std::string_view content, std::string_view name, std::vector<std::string>& remarks);
 
 }  // namespace app

@@ -6,8 +6,10 @@
 #include "app/mesh/mesh_file.h"
 #include "sim/element/element.h"
 #include "sim/mesh/check.h"
+#include "sim/mesh/components.h"
 #include "sim/mesh/generate.h"
 #include "sim/mesh/input_error.h"
+#include "sim/mesh/merge.h"
 #include "sim/mesh/quadratic.h"
 #include "sim/mesh/refine.h"
 #include "sim/mesh/transform.h"
@@ -62,6 +64,31 @@ void add_remark(std::vector<std::string>& remarks, int count, const std::string&
   if (count > 0) remarks.push_back(std::to_string(count) + " " + what);
 }
 
+// Nodes that stand where others do are joined where the scene asks for it, else counted: the body may fall apart there.
+void merge_nodes(const MeshSpec& spec, sim::Mesh& mesh, std::vector<std::string>& remarks) {
+  const double distance = spec.merge > 0 ? spec.merge : sim::coincidence(mesh);
+  if (spec.merge < 0) {
+    const int count = spec.source == MeshSource::file ? sim::count_coincident(mesh, distance) : 0;
+    if (count == 0) return;
+    remarks.push_back(std::to_string(count) + " nodes stand where others do, and the body is in " +
+                      std::to_string(sim::components(mesh).size()) + " parts; mesh.merge = true joins them");
+    return;
+  }
+  const sim::Joined joined = sim::join_coincident(mesh, distance);
+  if (mesh.element_count() == 0) throw InputError("mesh.merge", "joins the nodes of every element");
+  remarks.push_back(std::to_string(joined.nodes) + " nodes joined with others; the body is in " +
+                    std::to_string(sim::components(mesh).size()) + " parts");
+  add_remark(remarks, joined.elements, "elements had two nodes that were joined and have been left out");
+}
+
+void into_space(sim::Mesh& mesh) {
+  if (mesh.dimension() == 3) return;
+  const sim::ElementInfo& element = sim::info(mesh.kind);
+  if (!element.membrane) throw InputError("mesh.element", std::string(element.name) + " is for 2D scenes only");
+  mesh.X.conservativeResize(3, Eigen::NoChange);
+  mesh.X.row(2).setZero();
+}
+
 }  // namespace
 
 int axes(MeshSource source) {
@@ -81,6 +108,7 @@ sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
     mesh = generate(spec);
   }
   spec.element = sim::info(mesh.kind).name;
+  merge_nodes(spec, mesh, remarks);
 
   const sim::MeshCheck check = sim::check_and_orient(mesh);
   add_remark(remarks, check.reoriented, "elements were inside out and have been turned");
@@ -89,16 +117,12 @@ sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
   const double children = sim::info(mesh.kind).dimension == 2 ? 4 : 8;
   check_count(mesh.element_count() * std::pow(children, spec.refine), "mesh.refine");
   for (int i = 0; i < spec.refine; ++i) mesh = sim::refine(mesh);
+  if (spec.space == 3) into_space(mesh);
   return mesh;
 }
 
 void place_mesh(const MeshSpec& spec, int dimension, sim::Mesh& mesh) {
-  if (mesh.dimension() < dimension) {
-    const sim::ElementInfo& element = sim::info(mesh.kind);
-    if (!element.membrane) throw InputError("mesh.element", std::string(element.name) + " is for 2D scenes only");
-    mesh.X.conservativeResize(3, Eigen::NoChange);
-    mesh.X.row(2).setZero();
-  }
+  if (dimension == 3) into_space(mesh);
   if (spec.scale != 1) sim::scale(mesh, sim::Vec3::Constant(spec.scale));
   if (spec.degrees != 0) sim::rotate(mesh, spec.axis, spec.degrees);
   sim::translate(mesh, spec.translate);

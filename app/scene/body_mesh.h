@@ -21,6 +21,8 @@ struct MeshSpec {
   std::vector<int> cells;       // one per axis
   std::vector<double> grading;  // per axis, x = length s^grading with s in [0, 1]: > 1 clusters cells at the low end
   std::string element;          // empty: what the file holds, tri3 or tet4 of a generator
+  double merge = -1;            // m: nodes closer than this are joined; 0: those that coincide; below 0: none
+  int space = 2;                // 3: a plane mesh is a membrane in space
   int refine = 0;               // times that every element is split
   double scale = 1;             // then rotated, then translated
   sim::Vec3 axis = {0, 0, 1};   // unit; rotation about the origin
@@ -28,8 +30,9 @@ struct MeshSpec {
   sim::Vec3 translate = {0, 0, 0};  // m
 };
 
-// What the description says, not yet placed: 2D for a rectangle or a plane file, else 3D. Fills spec.element in.
-// Remarks are added for what was mended. Throws sim::InputError with key "mesh..." (below the body's).
+// What the description says, not yet placed: 2D for a rectangle or a plane file that is not put into space, else 3D.
+// Fills spec.element in. Remarks are added for what was mended. Throws sim::InputError with key "mesh..." (below the
+// body's).
 sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks);
 
 // Lifts the mesh to `dimension` (z = 0), then x = R scale X + translate.

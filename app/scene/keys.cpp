@@ -149,6 +149,8 @@ std::string kind_text(const Form& form) {
       return "an integer";
     case Kind::substeps:
       return "an integer or \"auto\"";
+    case Kind::joining:
+      return "a number or true";
     case Kind::number:
       return "a number";
     case Kind::text:

@@ -23,6 +23,7 @@ enum class Kind {
   integer,    // std::int64_t
   substeps,   // integer, or "auto" = 0
   number,     // double
+  joining,    // a distance, true = 0 or false = -1: double
   text,       // std::string
   name,       // text that can head a column: not empty, no comma, quote or control character
   choice,     // text, one of choices()

@@ -62,19 +62,27 @@ void check_unique(const List& list, const std::string& path, Mistakes& mistakes)
   }
 }
 
-void check_group(const sim::Mesh& mesh, const std::string& name, const std::string& path, Mistakes& mistakes) {
+void check_group(const sim::Mesh& mesh, const sim::InGroup& group, sim::GroupPart part, const std::string& path,
+                 Mistakes& mistakes) {
   try {
-    sim::find_group(mesh, name);
+    sim::find_group(mesh, group, part);
   } catch (const sim::InputError& error) {
     std::vector<std::string_view> names;
-    for (const sim::Group& group : mesh.groups) names.push_back(group.name);
-    mistakes.refuse(path, error.what() + suggestion(name, names));
+    for (const sim::Group& known : mesh.groups) {
+      if (known.name != group.name) names.push_back(known.name);
+    }
+    mistakes.refuse(path, error.what() + suggestion(group.name, names));
   }
 }
 
-void check_region(const sim::Mesh& mesh, const sim::Region& region, const std::string& path, Mistakes& mistakes) {
-  if (const auto* group = std::get_if<sim::InGroup>(&region)) {
-    check_group(mesh, group->name, path + ".group", mistakes);
+void check_region(const sim::Mesh& mesh, const sim::Region& region, sim::GroupPart part, const std::string& path,
+                  Mistakes& mistakes) {
+  const auto* group = std::get_if<sim::InGroup>(&region);
+  if (group == nullptr) return;
+  if (group->name.empty() && group->dimension) {
+    mistakes.refuse(path + ".dimension", "is for a group only");
+  } else {
+    check_group(mesh, *group, part, path + ".group", mistakes);
   }
 }
 
@@ -91,14 +99,16 @@ void check_times(const List& keyframes, const std::string& path, Mistakes& mista
 void check_body(const sim::Body& body, const std::string& path, Mistakes& mistakes) {
   for (std::size_t i = 0; i < body.pins.size(); ++i) {
     const std::string pin = path + ".pin." + std::to_string(i);
-    check_region(body.mesh, body.pins[i].where, pin, mistakes);
+    check_region(body.mesh, body.pins[i].where, sim::GroupPart::nodes, pin, mistakes);
     check_times(body.pins[i].motion, pin + ".motion.keyframes", mistakes);
   }
   for (std::size_t i = 0; i < body.tractions.size(); ++i) {
-    check_region(body.mesh, body.tractions[i].where, path + ".traction." + std::to_string(i), mistakes);
+    check_region(body.mesh, body.tractions[i].where, sim::GroupPart::facets, path + ".traction." + std::to_string(i),
+                 mistakes);
   }
   for (std::size_t i = 1; i < body.materials.size(); ++i) {
-    check_group(body.mesh, body.materials[i].group, path + ".region." + std::to_string(i - 1) + ".group", mistakes);
+    check_group(body.mesh, {body.materials[i].group}, sim::GroupPart::elements,
+                path + ".region." + std::to_string(i - 1) + ".group", mistakes);
   }
 }
 

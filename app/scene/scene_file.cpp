@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "app/base/number_text.h"
 #include "app/mesh/error.h"
 #include "app/scene/scene_checks.h"
 #include "app/scene/scene_items.h"
+#include "sim/element/element.h"
+#include "sim/mesh/boundary.h"
 #include "sim/mesh/input_error.h"
 #include "sim/time/scheme.h"
 
@@ -44,6 +47,15 @@ void make_body(MeshSpec& spec, const std::string& path, sim::Body& body, std::ve
   }
 }
 
+// A surface without an edge is what programs write of a solid; here it is its skin alone.
+void note_closed_surface(const sim::Body& body, const MeshSpec& spec, std::vector<std::string>& remarks) {
+  if (spec.source != MeshSource::file || body.mesh.dimension() == 2) return;
+  if (sim::info(body.mesh.kind).dimension == 3 || sim::boundary_facets(body.mesh).cols() > 0) return;
+  std::string remark = "a closed surface, taken as a hollow membrane of thickness ";
+  append_number(remark, body.thickness);
+  remarks.push_back(remark + " m (body.thickness); a solid is made of tets, which gmsh or tetgen fill it with");
+}
+
 // A body that something is wrong with gets no mesh, and neither does one that only stands in a gap of the list.
 void make_bodies(Document& document, const std::filesystem::path& folder, const Places& places, Mistakes& mistakes) {
   sim::Scene& scene = document.scene;
@@ -57,6 +69,7 @@ void make_bodies(Document& document, const std::filesystem::path& folder, const 
     if (spec.source == MeshSource::file) spec.file = folder / spec.file;
     std::vector<std::string> remarks;
     mistakes.collect([&] { make_body(spec, path, body, remarks); });
+    note_closed_surface(body, spec, remarks);
     for (const std::string& remark : remarks) document.remarks.push_back(body.name + ": " + remark);
     if (body.mesh.dimension() == 3) scene.dimension = 3;
   }

@@ -151,6 +151,9 @@ ScannedValue scan_value(const Form& form, const toml::node& node) {
     case Kind::number:
       scan.value = number(node, form);
       break;
+    case Kind::joining:
+      scan.value = node.is_boolean() ? (*node.value<bool>() ? 0.0 : -1.0) : number(node, form);
+      break;
     case Kind::text:
       scan.value = text(node, form);
       break;

@@ -39,7 +39,8 @@ std::string number_literal(double x) {
 
 std::string value_text(const Key& key, const Value& value, int dimension) {
   if (const auto* x = std::get_if<bool>(&value)) return *x ? "true" : "false";
-  if (const auto* x = std::get_if<double>(&value)) return number_literal(*x);
+  if (const auto* x = std::get_if<double>(&value))
+    return key.kind == Kind::joining && *x == 0 ? "true" : number_literal(*x);
   if (const auto* x = std::get_if<std::string>(&value)) return quoted_text(*x);
   if (const auto* x = std::get_if<std::int64_t>(&value)) {
     return key.kind == Kind::substeps && *x == 0 ? quoted_text("auto") : std::to_string(*x);

@@ -148,6 +148,7 @@ void add_sides(Mesh& mesh, const Eigen::MatrixXi& facets, int axis, double lengt
   for (int side = 0; side < 2; ++side) {
     Group group;
     group.name = names[axis][side];
+    group.dimension = info(mesh.kind).dimension - 1;
     const double coordinate = side == 0 ? 0 : length;
     for (int n = 0; n < mesh.node_count(); ++n) {
       if (mesh.X(axis, n) == coordinate) group.nodes.push_back(n);

@@ -108,11 +108,33 @@ std::vector<char> inside(const Mesh& mesh, const Region& region) {
         } else if constexpr (std::is_same_v<R, Sphere>) {
           mark([&](const auto& X) { return (X - where.centre.head(d)).norm() <= where.radius + near; });
         } else {
-          for (const int n : find_group(mesh, where.name).nodes) in[n] = 1;
+          for (const int n : find_group(mesh, where, GroupPart::nodes).nodes) in[n] = 1;
         }
       },
       region);
   return in;
+}
+
+bool has(const Group& group, GroupPart part) {
+  switch (part) {
+    case GroupPart::nodes:
+      return !group.nodes.empty();
+    case GroupPart::facets:
+      return group.facets.cols() > 0;
+    default:
+      return !group.elements.empty();
+  }
+}
+
+std::string no_group(const Mesh& mesh, const InGroup& where) {
+  std::string names;
+  for (const Group& group : mesh.groups) {
+    names += (names.empty() ? "\"" : ", \"") + group.name + "\"";
+    if (where.dimension && group.name == where.name) names += " of dimension " + std::to_string(group.dimension);
+  }
+  return "the mesh has no group \"" + where.name + "\"" +
+         (where.dimension ? " of dimension " + std::to_string(*where.dimension) : "") + "; " +
+         (names.empty() ? "it has no groups at all" : "its groups are " + names);
 }
 
 }  // namespace
@@ -123,14 +145,23 @@ std::optional<MaterialPoint> locate(const Mesh& mesh, const Vec3& X) {
   });
 }
 
-const Group& find_group(const Mesh& mesh, const std::string& name) {
+const Group& find_group(const Mesh& mesh, const InGroup& where, GroupPart part) {
+  std::vector<const Group*> named, having;
   for (const Group& group : mesh.groups) {
-    if (group.name == name) return group;
+    if (group.name != where.name || group.dimension != where.dimension.value_or(group.dimension)) continue;
+    named.push_back(&group);
+    if (has(group, part)) having.push_back(&group);
   }
-  std::string names;
-  for (const Group& group : mesh.groups) names += (names.empty() ? "\"" : ", \"") + group.name + "\"";
-  throw InputError("group", "the mesh has no group \"" + name + "\"; " +
-                                (names.empty() ? "it has no groups at all" : "its groups are " + names));
+  if (having.size() == 1) return *having[0];
+  if (named.size() == 1) return *named[0];
+  if (named.empty()) throw InputError("group", no_group(mesh, where));
+  std::string candidates;
+  for (const Group* group : named) {
+    candidates += (candidates.empty() ? "" : ", ") + std::to_string(group->dimension) + " (" +
+                  std::to_string(group->nodes.size()) + " nodes)";
+  }
+  throw InputError("group", std::to_string(named.size()) + " groups are called \"" + where.name + "\", of dimension " +
+                                candidates + ": say which with dimension = " + std::to_string(named[0]->dimension));
 }
 
 std::vector<int> nodes_in(const Mesh& mesh, const Region& region) {
@@ -144,7 +175,7 @@ std::vector<int> nodes_in(const Mesh& mesh, const Region& region) {
 
 Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
   if (const auto* named = std::get_if<InGroup>(&region)) {
-    const Group& group = find_group(mesh, named->name);
+    const Group& group = find_group(mesh, *named, GroupPart::facets);
     if (group.facets.cols() > 0) return group.facets;
   }
   const auto in = inside(mesh, region);

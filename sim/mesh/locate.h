@@ -21,8 +21,12 @@ struct MaterialPoint {
 // The material point at rest position X; empty when X is further than 1e-9 of the mesh size from every element.
 std::optional<MaterialPoint> locate(const Mesh& mesh, const Vec3& X);
 
-// The group of that name. Throws InputError (key "group") that lists the names there are.
-const Group& find_group(const Mesh& mesh, const std::string& name);
+// What a group is asked for.
+enum class GroupPart { nodes, facets, elements };
+
+// The group of that name, and dimension where it is given. Of several of one name the one that has facets or elements,
+// where these are asked for. Throws InputError (key "group") that lists the names there are, or those of one name.
+const Group& find_group(const Mesh& mesh, const InGroup& where, GroupPart part);
 
 // Nodes in the region, ascending; its surface counts as inside, to 1e-9 of the mesh size. In a plane mesh the third
 // coordinate is ignored. May be empty. Throws as find_group.

@@ -15,6 +15,7 @@ struct Group {
   std::vector<int> nodes;     // every node of the group, sorted, unique
   std::vector<int> elements;  // elements that belong to it, sorted (for a region with its own material)
   Eigen::MatrixXi facets;     // nodes per boundary facet x facets (for a traction); in the facet's own node order
+  int dimension = 0;  // what it was made of: 0 nodes, 1 edges, 2 faces, 3 solids; a name may be there once in each
 };
 
 struct Mesh {

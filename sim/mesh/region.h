@@ -1,6 +1,7 @@
 // Where: nodes inside a box or a sphere at rest, or a group of the mesh.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -17,6 +18,7 @@ struct Sphere {
 };
 struct InGroup {
   std::string name;
+  std::optional<int> dimension = {};  // needed where groups of several dimensions have the name
 };
 using Region = std::variant<Box, Sphere, InGroup>;
 

@@ -42,6 +42,7 @@ Group finer_group(const Group& coarse, Eigen::MatrixXi facets, const Eigen::Matr
                   const PointTable& points) {
   Group fine;
   fine.name = coarse.name;
+  fine.dimension = coarse.dimension;
   std::vector<char> member(points.size(), 0);
   for (const int n : coarse.nodes) member[n] = 1;
   if (facets.cols() == 0 && coarse.elements.empty()) {

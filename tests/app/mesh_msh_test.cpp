@@ -160,12 +160,22 @@ TEST(MeshMsh, RepeatedElementsAreOne) {
   EXPECT_EQ(twice.remarks, std::vector<std::string>{"a.msh: elements that repeat others, left out: 1"});
 }
 
-TEST(MeshMsh, GroupsOfOneNameAreOneGroup) {
+TEST(MeshMsh, GroupsOfOneNameAreOneInEachDimension) {
   const auto read = read_text(msh2(square, {"1 2 2 1 1 1 2 3", "2 2 2 0 1 1 3 4", "3 1 2 1 1 3 4"}), "a.msh");
-  ASSERT_EQ(read.mesh.groups.size(), 1u);
-  EXPECT_EQ(read.mesh.groups[0].nodes, (std::vector<int>{0, 1, 2, 3}));
-  EXPECT_EQ(read.mesh.groups[0].elements, std::vector<int>{0});
-  EXPECT_EQ(read.remarks, std::vector<std::string>{"a.msh: several physical groups are called \"1\": taken as one"});
+  ASSERT_EQ(read.mesh.groups.size(), 2u);
+  EXPECT_EQ(read.mesh.groups[0].dimension, 1);
+  EXPECT_EQ(read.mesh.groups[0].nodes, (std::vector<int>{2, 3}));
+  EXPECT_EQ(read.mesh.groups[1].dimension, 2);
+  EXPECT_EQ(read.mesh.groups[1].nodes, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(read.mesh.groups[1].elements, std::vector<int>{0});
+  EXPECT_TRUE(read.remarks.empty());
+  const auto named = read_text(msh2(square, {"1 2 2 1 1 1 2 3", "2 2 2 2 1 1 3 4"},
+                                    "$PhysicalNames\n2\n2 1 \"sheet\"\n2 2 \"sheet\"\n$EndPhysicalNames\n"),
+                               "a.msh");
+  ASSERT_EQ(named.mesh.groups.size(), 1u);
+  EXPECT_EQ(named.mesh.groups[0].elements, (std::vector<int>{0, 1}));
+  EXPECT_EQ(named.remarks, std::vector<std::string>{
+                               "a.msh: several physical groups of dimension 2 are called \"sheet\": taken as one"});
 }
 
 TEST(MeshMsh, UnknownSectionsArePassedOver) {
@@ -175,6 +185,14 @@ TEST(MeshMsh, UnknownSectionsArePassedOver) {
   const std::size_t at = text.find("$Nodes");
   expect_equal(read_text(text, "a.msh").mesh,
                read_text(text.substr(0, at) + more + text.substr(at) + more, "a.msh").mesh);
+}
+
+TEST(MeshMsh, SectionsMayStandBeforeTheFormatAndEndWithoutALine) {
+  EXPECT_EQ(read_data("cases/comments-first.msh").mesh.element_count(), 1);
+  const sim::Mesh mesh = read_data("cases/binary-element-data.msh").mesh;
+  ASSERT_EQ(mesh.element_count(), 1);
+  EXPECT_EQ(mesh.node_count(), 4);
+  EXPECT_NEAR(tet_volume(mesh, 0), 1.0 / 6, 1e-15);
 }
 
 // What is wrong, and the message that must say it.
@@ -199,17 +217,14 @@ TEST(MeshMsh, ErrorsSayLineValueAndRemedy) {
       {msh2(square, {"1 1 2 0 1 1 2"}),
        "a.msh: there are no triangles, squares, tets or hexes in it; a body is made of these (gmsh -2 or gmsh -3 makes "
        "them)"},
-      {"$MeshFormat\n4 0 8\n$EndMeshFormat\n",
-       "a.msh:2: MSH version \"4\" is not read; 2.2 and 4.1 are: gmsh FILE -save -format msh41 -o NEW.msh writes the "
-       "latter"},
+      {"$MeshFormat\n3 0 8\n$EndMeshFormat\n",
+       "a.msh:2: MSH version \"3\" is not read; 1, 2.0 to 2.2, 4.0 and 4.1 are: gmsh -0 FILE -format msh41 -o NEW.msh "
+       "writes the latter"},
       {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n-1\n",
        "a.msh:5: the number of nodes is -1, but the 1 bytes that are left in the file have room for 0 to 0"},
       {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "a.msh:3: the file ends without a section $Nodes"},
       {"$MeshFormat\n2.2 1 8\n\2\0\0\0", "a.msh: offset 20: the file ends within the byte order mark"},
-      {"solid cube\n",
-       "a.msh:1: not a mesh that is known here: a Gmsh file starts with $MeshFormat (MSH 2.2 or 4.1), TetGen's two end "
-       "in "
-       ".node and .ele, a Wavefront file ends in .obj"},
+      {"solid cube\n", "a.msh:1: \"solid\" stands where a section such as $Nodes should begin"},
       {" \r\n", "a.msh: the file is empty"}};
   for (const Wrong& wrong : cases) {
     EXPECT_EQ(error_of([&] { read_text(wrong.content, "a.msh"); }), wrong.message);

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/mesh/error.h"
-#include "app/mesh/msh.h"
-#include "app/mesh/obj.h"
+#include "app/mesh/mesh_file.h"
 #include "app/mesh/tetgen.h"
 #include "sim/mesh/mesh.h"
 
@@ -40,12 +40,26 @@ inline bool is_whole(const sim::Mesh& mesh) {
   return std::find(used.begin(), used.end(), false) == used.end();
 }
 
-// A Gmsh file starts with $, TetGen's two are joined by the first %, all else is Wavefront.
+// The format is told by how an input begins; TetGen's two files are joined by the first %, STL has a mark of its own in
+// front, all else is Wavefront.
 inline sim::Mesh read_any(std::string_view input, std::vector<std::string>& remarks) {
-  if (input.starts_with('$')) return read_msh(input, "fuzz.msh", remarks);
+  constexpr std::array<std::pair<std::string_view, const char*>, 9> beginnings = {{{"$", "fuzz.msh"},
+                                                                                   {"# vtk", "fuzz.vtk"},
+                                                                                   {"<", "fuzz.vtu"},
+                                                                                   {"MeshVersion", "fuzz.mesh"},
+                                                                                   {"*VERTICES", "fuzz.veg"},
+                                                                                   {"*", "fuzz.inp"},
+                                                                                   {"ply", "fuzz.ply"},
+                                                                                   {"OFF", "fuzz.off"},
+                                                                                   {"stl:", "fuzz.stl"}}};
+  for (const auto& [beginning, name] : beginnings) {
+    if (!input.starts_with(beginning)) continue;
+    return read_mesh(beginning == "stl:" ? input.substr(4) : input, name, remarks);
+  }
   const std::size_t joint = input.find('%');
-  if (joint == input.npos) return read_obj(input, "fuzz.obj", remarks);
-  return read_tetgen(input.substr(0, joint), "fuzz.node", input.substr(joint + 1), "fuzz.ele", remarks);
+  if (joint == input.npos) return read_mesh(input, "fuzz.obj", remarks);
+  return read_tetgen({input.substr(0, joint), "fuzz.node"}, {input.substr(joint + 1), "fuzz.ele"}, {"", "fuzz.face"},
+                     remarks);
 }
 
 // True when a mesh was read, false when the input was refused. Aborts on a mesh that is not whole.

@@ -157,5 +157,20 @@ TEST(Locate, UnknownGroupsListTheKnownOnes) {
   EXPECT_CONTAINS(error_of("group", [&] { facets_in(mesh, InGroup{"left"}); }), "no groups at all");
 }
 
+// Gmsh numbers groups for each dimension by itself.
+TEST(Locate, AGroupIsToldByItsDimensionWhereItsNameIsNotEnough) {
+  Mesh mesh = sample(ElementKind::tet4, 2, 2, 2);
+  const Group left = find_group(mesh, {"left"}, GroupPart::nodes);
+  mesh.groups = {{"1", left.nodes, {}, left.facets, 2}, {"1", {0, 1, 2, 3}, {0}, {}, 3}};
+  EXPECT_EQ(nodes_in(mesh, InGroup{"1", 2}), left.nodes);
+  EXPECT_EQ(nodes_in(mesh, InGroup{"1", 3}).size(), 4u);
+  EXPECT_EQ(facets_in(mesh, InGroup{"1"}), left.facets);
+  EXPECT_EQ(find_group(mesh, {"1"}, GroupPart::elements).dimension, 3);
+  const std::string text = error_of("group", [&] { nodes_in(mesh, InGroup{"1"}); });
+  EXPECT_CONTAINS(text, "2 groups are called \"1\", of dimension 2 (");
+  EXPECT_CONTAINS(text, "3 (4 nodes): say which with dimension = 2");
+  EXPECT_CONTAINS(error_of("group", [&] { nodes_in(mesh, InGroup{"1", 1}); }), "no group \"1\" of dimension 1");
+}
+
 }  // namespace
 }  // namespace sim::test

@@ -30,6 +30,13 @@ constexpr Binding file = {[](const Document& d, const Indices& i) {
                             from_value(value, mesh_of(d, i).file);
                           }};
 
+// 0 stands for nodes that coincide; without the key none are joined.
+constexpr Binding merge = {[](const Document& d, const Indices& i) {
+                             const double distance = mesh_of(d, i).merge;
+                             return distance < 0 ? std::nullopt : std::optional<Value>(distance);
+                           },
+                           field<mesh_of, &MeshSpec::merge>.set};
+
 // Lists that a mesh file does without.
 template <auto member>
 constexpr Binding per_axis = {[](const Document& d, const Indices& i) {
@@ -48,7 +55,7 @@ std::vector<Key> generator_keys() {
       {"body[].mesh.sheet", Form(Kind::numbers, "m", above(0)).of_size(2, 2).otherwise("another source"),
        generator<MeshSource::sheet>, "A rectangular membrane in space, at z = 0."},
       {"body[].mesh.file", Form(Kind::text).otherwise("another source"), file,
-       "A mesh file (.msh, .node, .obj); its path is relative to the scene file."},
+       "A mesh file (app/mesh/README.md lists the formats); its path is relative to the scene file."},
       {"body[].mesh.cells", Form(Kind::integers, "", between(1, 10000)).otherwise("needed with box, rectangle, sheet"),
        per_axis<&MeshSpec::cells>,
        "Number of cells along each axis of a generated mesh; each cell is cut into triangles or tets where the element "
@@ -69,6 +76,11 @@ std::vector<Key> mesh_keys() {
        Form(Kind::choice).of(element_names).otherwise("as the file says; tet4 in a box, else tri3"),
        field<mesh_of, &MeshSpec::element>,
        "Element of the mesh. A linear mesh file can be read as its quadratic kind."},
+      {"body[].mesh.merge", Form(Kind::joining, "m", above(0)).otherwise("not joined"), merge,
+       "Joins nodes that stand at one place (true) or closer than this distance, in a mesh that is cut where it should "
+       "not be."},
+      {"body[].mesh.space", Form(Kind::integer, "", between(2, 3)), field<mesh_of, &MeshSpec::space>,
+       "3: a plane mesh is a membrane in space, and the scene in 3D."},
       {"body[].mesh.refine", Form(Kind::integer, "", between(0, 8)), field<mesh_of, &MeshSpec::refine>,
        "How many times every element is split into 4 (plane) or 8."},
       {"body[].mesh.scale", Form(Kind::number, "", above(0)), field<mesh_of, &MeshSpec::scale>,

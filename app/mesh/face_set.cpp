@@ -1,0 +1,101 @@
+#include "app/mesh/face_set.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "app/mesh/mesh_nodes.h"
+#include "app/mesh/polygon.h"
+#include "app/mesh/seams.h"
+
+namespace app {
+namespace {
+
+// Ears are searched among all corners for each: more corners than any polygon of use take too long.
+constexpr std::size_t kMostCorners = 5000;
+
+}  // namespace
+
+int FaceSet::checked_vertex(const Cursor& in, std::int64_t index) const {
+  const auto count = static_cast<std::int64_t>(vertices.size());
+  if (index < 0 || index >= count) {
+    in.fail("a face refers to vertex " + std::to_string(index + first_) + "; the number of vertices is " +
+            std::to_string(count) + ", the first is " + std::to_string(first_));
+  }
+  return static_cast<int>(index);
+}
+
+void FaceSet::add(const Cursor& in, const std::vector<int>& corners) {
+  std::vector<int> sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) in.fail("vertex " + std::to_string(*twice + first_) + " stands twice in one face");
+  if (corners.size() < 3) in.fail("a face has " + std::to_string(corners.size()) + " corners; it needs three or more");
+  if (corners.size() > kMostCorners) {
+    in.fail("a face has " + std::to_string(corners.size()) + " corners; at most " + std::to_string(kMostCorners) +
+            " are read");
+  }
+  if (corners.size() == 3) {
+    triangles_.insert(triangles_.end(), corners.begin(), corners.end());
+    places_.push_back(in.item());
+    return;
+  }
+  ++polygons_;
+  std::vector<Eigen::Vector3d> X;
+  for (const int corner : corners) X.push_back(vertices[static_cast<std::size_t>(corner)]);
+  const auto cut = cut_polygon(X);
+  if (!cut) {
+    in.fail("a face of " + std::to_string(corners.size()) + " corners has sides that cross: cut it into triangles");
+  }
+  for (const auto& triangle : *cut) {
+    for (const int i : triangle) triangles_.push_back(corners[static_cast<std::size_t>(i)]);
+    places_.push_back(in.item());
+  }
+}
+
+// The measure of no area is that of sim's check, so that none is refused there.
+void FaceSet::drop_flat(const Cursor& in, std::vector<std::string>& remarks) {
+  constexpr double rounding = 2e-14;  // of the square of the longest edge
+  std::size_t kept = 0, first = 0;
+  std::string which;
+  for (std::size_t t = 0; t < places_.size(); ++t) {
+    const auto X = [&](std::size_t i) { return vertices[static_cast<std::size_t>(triangles_[3 * t + i])]; };
+    const Eigen::Vector3d a = X(1) - X(0), b = X(2) - X(0);
+    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+    if (!(a.cross(b).norm() > 2 * rounding * longest)) {
+      if (!which.empty()) continue;
+      first = t;
+      for (std::size_t i = 0; i < 3; ++i) which += " " + std::to_string(triangles_[3 * t + i] + first_);
+      continue;
+    }
+    std::copy_n(triangles_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                triangles_.begin() + static_cast<std::ptrdiff_t>(3 * kept));
+    ++kept;
+  }
+  if (kept == places_.size()) return;
+  remarks.push_back(in.where(places_[first]) + ": faces without area, left out: " +
+                    std::to_string(places_.size() - kept) + " (this is the first, of vertices" + which + ")");
+  triangles_.resize(3 * kept);
+}
+
+sim::Mesh FaceSet::mesh(const Cursor& in, std::vector<std::string>& remarks) {
+  drop_flat(in, remarks);
+  if (triangles_.empty()) {
+    in.fail("the file has no face with an area; number of vertices: " + std::to_string(vertices.size()));
+  }
+  sim::Mesh mesh;
+  mesh.kind = sim::ElementKind::tri3;
+  mesh.X.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) mesh.X.col(static_cast<Eigen::Index>(i)) = vertices[i];
+  mesh.elements =
+      Eigen::Map<const Eigen::MatrixXi>(triangles_.data(), 3, static_cast<Eigen::Index>(triangles_.size() / 3));
+  if (polygons_ > 0) {
+    remarks.push_back(in.name() +
+                      ": faces of more than three corners, cut into triangles: " + std::to_string(polygons_));
+  }
+  join_seams(mesh, in.name(), remarks);
+  keep_used_nodes(mesh, in.name(), remarks);
+  flatten(mesh, in.name());
+  return mesh;
+}
+
+}  // namespace app

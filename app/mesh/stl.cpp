@@ -1,0 +1,114 @@
+#include "app/mesh/stl.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "app/mesh/binary.h"
+#include "app/mesh/face_set.h"
+
+namespace app {
+namespace {
+
+// Vertices by where they stand.
+class StlCorners {
+ public:
+  explicit StlCorners(FaceSet& faces) : faces_(faces) {}
+
+  int find(const Eigen::Vector3d& X) {
+    const std::array<double, 3> key = {X.x() + 0.0, X.y() + 0.0, X.z() + 0.0};  // -0 becomes 0
+    const auto [at, is_new] = numbers_.try_emplace(key, static_cast<int>(faces_.vertices.size()));
+    if (is_new) faces_.vertices.push_back(X);
+    return at->second;
+  }
+
+ private:
+  FaceSet& faces_;
+  std::map<std::array<double, 3>, int> numbers_;
+};
+
+// Triangles two of whose corners stand at one place have no area: they are counted, not added.
+void add_triangle(const Cursor& in, const std::array<Eigen::Vector3d, 3>& X, StlCorners& corners, FaceSet& faces,
+                  int& collapsed) {
+  const std::vector<int> triangle = {corners.find(X[0]), corners.find(X[1]), corners.find(X[2])};
+  if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
+    ++collapsed;
+  } else {
+    faces.add(in, triangle);
+  }
+}
+
+// solid NAME, facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet, ..., endsolid NAME.
+int read_text_stl(Cursor& in, FaceSet& faces) {
+  StlCorners corners(faces);
+  int collapsed = 0;
+  while (!in.finished()) {
+    const std::string_view word = in.word("solid, facet or endsolid");
+    if (word == "solid" || word == "endsolid") {
+      in.rest_of_line();
+      continue;
+    }
+    if (word != "facet") in.fail(quote(word) + " stands where solid, facet or endsolid should be");
+    in.rest_of_line();
+    in.expect("outer");
+    in.expect("loop");
+    std::array<Eigen::Vector3d, 3> X;
+    for (Eigen::Vector3d& corner : X) {
+      in.expect("vertex");
+      for (double& x : corner) x = in.real("a coordinate");
+    }
+    in.expect("endloop");
+    in.expect("endfacet");
+    add_triangle(in, X, corners, faces, collapsed);
+  }
+  return collapsed;
+}
+
+constexpr std::size_t kStlHeader = 80, kStlTriangle = 50;  // bytes
+
+// 80 bytes of any kind, the number of triangles, then 12 floats and two bytes of each, in the order of Intel.
+int read_binary_stl(Cursor& in, FaceSet& faces) {
+  constexpr bool swapped = std::endian::native != std::endian::little;
+  in.use_offsets();
+  in.bytes(kStlHeader, "the header");
+  const auto said = from_bytes<std::uint32_t>(in.bytes(4, "the number of triangles"), swapped);
+  const int count = in.checked_count(said, kStlTriangle, "the number of triangles");
+  StlCorners corners(faces);
+  int collapsed = 0;
+  for (int t = 0; t < count; ++t) {
+    const std::string_view bytes = in.bytes(kStlTriangle, "a triangle");
+    std::array<Eigen::Vector3d, 3> X;
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double x = from_bytes<float>(bytes.substr(4 * (3 + i)), swapped);
+      if (!std::isfinite(x)) in.fail("a coordinate is " + std::to_string(x) + "; it should be a finite number");
+      X[i / 3][static_cast<Eigen::Index>(i % 3)] = x;
+    }
+    add_triangle(in, X, corners, faces, collapsed);
+  }
+  return collapsed;
+}
+
+// The header of a binary file may start with "solid" as well; but text has no zero bytes, and facets.
+bool is_binary_stl(std::string_view content) {
+  if (content.find_first_not_of(" \t\r\n") == content.find("solid") && content.find("facet") != content.npos &&
+      content.find('\0') == content.npos) {
+    return false;
+  }
+  return content.size() >= kStlHeader + 4;
+}
+
+}  // namespace
+
+sim::Mesh read_stl(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
+  Cursor in(content, name);
+  FaceSet faces(0);
+  const int collapsed = is_binary_stl(content) ? read_binary_stl(in, faces) : read_text_stl(in, faces);
+  if (collapsed > 0) {
+    remarks.push_back(std::string(name) +
+                      ": faces with two corners at one place, left out: " + std::to_string(collapsed));
+  }
+  return faces.mesh(in, remarks);
+}
+
+}  // namespace app
