@@ -107,6 +107,16 @@ struct Obstacle {
   double friction = 0;  // Coulomb coefficient
 };
 
+// Bodies that touch each other and do not pass through: two names, the same twice for a body with itself; none: every
+// pair of bodies. What is not given follows from the bodies (sim/build/contacts.h).
+struct Contact {
+  std::vector<std::string> between;
+  double friction = 0;              // Coulomb's coefficient
+  std::optional<double> distance;   // m, > 0: where the barrier begins
+  std::optional<double> stiffness;  // Pa, > 0
+  std::optional<double> offset;     // m: how far surfaces stay apart, as thick cloth does
+};
+
 // A spring from a material point to a place in space.
 struct Spring {
   std::string body;
@@ -127,6 +137,7 @@ struct Scene {
   World world;
   std::vector<Body> bodies;
   std::vector<Obstacle> obstacles;
+  std::vector<Contact> contacts;
   std::vector<Spring> springs;
   std::vector<Probe> probes;
   std::uint64_t seed = 1;  // of everything random

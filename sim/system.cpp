@@ -48,6 +48,19 @@ std::vector<TermInfo> System::terms() const {
   return all;
 }
 
+int System::contact_pairs() const {
+  std::size_t pairs = 0;
+  for (const ContactTerm* term : parts_->model.contacts) pairs += term->input().couples.size();
+  return static_cast<int>(pairs);
+}
+
+std::vector<ContactReport> System::contacts(const State& state) const {
+  std::vector<ContactReport> all;
+  for (const ContactTerm* term : parts_->model.contacts)
+    for (ContactReport& report : term->reports(state.x)) all.push_back(std::move(report));
+  return all;
+}
+
 Counts System::counts() const {
   Counts c;
   c.nodes = parts_->model.node_count;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/body/body_range.h"
+#include "sim/contact/contact_report.h"
 #include "sim/mesh/input_error.h"
 #include "sim/report.h"
 #include "sim/scene.h"
@@ -29,6 +30,9 @@ class System {
   double time(std::int64_t step) const;  // step / (fps * substeps), exact at frames
   std::span<const BodyRange> bodies() const;
   std::vector<TermInfo> terms() const;
+  // Every pair of bodies that may touch, and how many there are: none where the scene names no contact.
+  int contact_pairs() const;
+  std::vector<ContactReport> contacts(const State& state) const;
   std::vector<std::string> remarks() const;  // what a user should know: locking, steps chosen, re-oriented elements
   Counts counts() const;
   double stable_step() const;  // largest stable h of the explicit schemes at rest [s]

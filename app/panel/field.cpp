@@ -104,6 +104,8 @@ bool draw_value(const Key& key, Value& value, int dimension) {
     draw_integer(key, *n);
   } else if (auto* number = std::get_if<double>(&value)) {
     draw_number(key.range, *number);
+  } else if (const auto* names = std::get_if<std::vector<std::string>>(&value)) {
+    ImGui::TextUnformatted(value_text(key, *names, dimension).c_str());
   } else {
     draw_numbers(key, std::get<std::vector<double>>(value), dimension);
   }

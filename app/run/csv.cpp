@@ -76,11 +76,13 @@ std::string probes_row(const sim::System& system, const sim::State& state, int p
   return line + '\n';
 }
 
-std::string steps_header() {
-  return "step,t,kinetic,elastic,potential,px,py,pz,Lx,Ly,Lz,newton,linear,min_J,seconds\n";
+std::string steps_header(bool with_contacts) {
+  const std::string header = "step,t,kinetic,elastic,potential,px,py,pz,Lx,Ly,Lz,newton,linear,min_J,seconds";
+  return header + (with_contacts ? ",min_gap,contacts\n" : "\n");
 }
 
-std::string steps_row(const sim::System& system, const sim::State& state, const sim::StepReport& report) {
+std::string steps_row(const sim::System& system, const sim::State& state, const sim::StepReport& report,
+                      const std::vector<sim::ContactReport>& contacts) {
   const sim::Measures now = system.measure(state);
   std::string line;
   append_fields(line, {state.step});
@@ -88,7 +90,33 @@ std::string steps_row(const sim::System& system, const sim::State& state, const 
                        now.p.z(), now.L.x(), now.L.y(), now.L.z()});
   append_fields(line, {report.newton, report.linear});
   append_fields(line, {report.min_J, report.seconds});
+  if (contacts.empty()) return line + '\n';
+  double gap = contacts[0].gap;
+  int pairs = 0;
+  for (const sim::ContactReport& contact : contacts) {
+    gap = std::min(gap, contact.gap);
+    pairs += contact.pairs;
+  }
+  append_fields(line, {gap});
+  append_fields(line, {pairs});
   return line + '\n';
+}
+
+std::string contacts_header() {
+  return "t,first,second,pairs,fx,fy,fz,gap\n";
+}
+
+std::string contacts_rows(double t, const std::vector<sim::ContactReport>& contacts) {
+  std::string rows;
+  for (const sim::ContactReport& contact : contacts) {
+    std::string line;
+    append_fields(line, {t});
+    line += ',' + field(contact.first) + ',' + field(contact.second);
+    append_fields(line, {contact.pairs});
+    append_fields(line, {contact.force.x(), contact.force.y(), contact.force.z(), contact.gap});
+    rows += line + '\n';
+  }
+  return rows;
 }
 
 }  // namespace app

@@ -36,7 +36,14 @@ std::string probes_header(const std::vector<sim::Probe>& probes, int dimension);
 std::string probes_row(const sim::System& system, const sim::State& state, int probe_count);
 
 // "step,t,kinetic,elastic,potential,px,py,pz,Lx,Ly,Lz,newton,linear,min_J,seconds"
-std::string steps_header();
-std::string steps_row(const sim::System& system, const sim::State& state, const sim::StepReport& report);
+// With min_gap [m] and contacts (pairs that push) at the end where the scene has any [[contact]].
+std::string steps_header(bool with_contacts);
+std::string steps_row(const sim::System& system, const sim::State& state, const sim::StepReport& report,
+                      const std::vector<sim::ContactReport>& contacts);
+
+// "t,first,second,pairs,fx,fy,fz,gap": for each pair of bodies that may touch, normal force on the first [N], least gap
+// [m]. A row for each.
+std::string contacts_header();
+std::string contacts_rows(double t, const std::vector<sim::ContactReport>& contacts);
 
 }  // namespace app

@@ -16,7 +16,12 @@ RunLog::RunLog(const sim::System& system, const std::vector<sim::Probe>& probes,
     : system_(system),
       probe_count_(static_cast<int>(probes.size())),
       probes_(open_table(folder.probes(), probes_header(probes, system.dimension()), resumed_step, 1)),
-      steps_(open_table(folder.steps(), steps_header(), resumed_step, 0)) {}
+      steps_(open_table(folder.steps(), steps_header(system.contact_pairs() > 0), resumed_step, 0)) {
+  const int pairs = system.contact_pairs();
+  if (pairs == 0) return;
+  contacts_.emplace(resumed_step ? Csv(folder.contacts(), contacts_header(), *resumed_step * pairs)
+                                 : Csv(folder.contacts(), contacts_header()));
+}
 
 void RunLog::start(const sim::State& state) {
   probes_.row(probes_row(system_, state, probe_count_));
@@ -24,17 +29,21 @@ void RunLog::start(const sim::State& state) {
 
 void RunLog::step(const sim::State& state, const sim::StepReport& report) {
   probes_.row(probes_row(system_, state, probe_count_));
-  steps_.row(steps_row(system_, state, report));
+  const std::vector<sim::ContactReport> contacts = system_.contacts(state);
+  steps_.row(steps_row(system_, state, report, contacts));
+  if (contacts_) contacts_->row(contacts_rows(system_.time(state.step), contacts));
 }
 
 void RunLog::sync() {
   probes_.sync();
   steps_.sync();
+  if (contacts_) contacts_->sync();
 }
 
 void RunLog::close() {
   probes_.close();
   steps_.close();
+  if (contacts_) contacts_->close();
 }
 
 }  // namespace app

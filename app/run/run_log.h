@@ -1,4 +1,4 @@
-// The numbers of a run, as it goes: probes.csv, steps.csv and VTU files.
+// The numbers of a run, as it goes: probes.csv, steps.csv, contacts.csv.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +29,7 @@ class RunLog {
   const sim::System& system_;
   int probe_count_;
   Csv probes_, steps_;
+  std::optional<Csv> contacts_;  // where the scene has any [[contact]]
 };
 
 }  // namespace app

@@ -12,7 +12,7 @@ namespace {
 std::vector<Key> make_keys() {
   std::vector<Key> table;
   for (const auto part : {time_keys, solver_keys, world_keys, body_keys, start_keys, mesh_keys, material_keys, pin_keys,
-                          load_keys, obstacle_keys, spring_keys, probe_keys, camera_keys, look_keys}) {
+                          load_keys, obstacle_keys, contact_keys, spring_keys, probe_keys, camera_keys, look_keys}) {
     append(table, part());
   }
   for (Key& key : table) {
@@ -161,6 +161,8 @@ std::string kind_text(const Form& form) {
       return choice_text(form.choices());
     case Kind::axes:
       return "a string of some of x, y, z";
+    case Kind::names:
+      return list_kind_text(form, "strings");
     case Kind::integers:
       return list_kind_text(form, "integers");
     case Kind::numbers:

@@ -28,6 +28,7 @@ enum class Kind {
   name,       // text that can head a column: not empty, no comma, quote or control character
   choice,     // text, one of choices()
   axes,       // text, some of x y z
+  names,      // a list of texts
   integers,   // a list of numbers
   numbers,    // a list of numbers
   point,      // as many numbers as the scene has dimensions; the value has 3, the missing one is 0
@@ -37,7 +38,7 @@ enum class Kind {
   ball,       // [centre, radius]; the value has 4 numbers
 };
 
-using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<std::string>>;
 
 // Positions in the lists along a path, outermost first: body.2.pin.1.axes -> {2, 1, 0}.
 using Indices = std::array<int, 3>;
@@ -82,7 +83,7 @@ struct Form {
   Kind kind;
   std::string_view unit;  // SI; empty: none
   Range range;
-  std::array<int, 2> size = {2, 3};  // least and greatest length of numbers and integers
+  std::array<int, 2> size = {2, 3};  // least and greatest length of numbers, integers and names
   std::vector<std::string_view> (*choices)() = nullptr;
   bool required = false;         // wherever the table that holds it is present
   int dimension = 0;             // 2 or 3: only in such a scene; 0: in both

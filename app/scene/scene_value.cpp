@@ -75,6 +75,15 @@ std::vector<double> numbers(const toml::node& node, const Form& form, int least,
   return list;
 }
 
+std::vector<std::string> texts(const toml::node& node, const Form& form) {
+  std::vector<std::string> list;
+  for (const toml::node& entry : entries(node, form, form.size[0], form.size[1])) {
+    if (!entry.is_string()) refuse(kind_text(form));
+    list.push_back(*entry.value<std::string>());
+  }
+  return list;
+}
+
 // Two or three numbers; three are returned. `dimension` is how many there were, which must agree if it is known.
 std::vector<double> point(const toml::node& node, const Form& form, int& dimension) {
   std::vector<double> x = numbers(node, form, 2, 3);
@@ -165,6 +174,9 @@ ScannedValue scan_value(const Form& form, const toml::node& node) {
       break;
     case Kind::axes:
       scan.value = axes(node, form);
+      break;
+    case Kind::names:
+      scan.value = texts(node, form);
       break;
     case Kind::integers:
     case Kind::numbers:

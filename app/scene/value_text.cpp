@@ -45,6 +45,11 @@ std::string value_text(const Key& key, const Value& value, int dimension) {
   if (const auto* x = std::get_if<std::int64_t>(&value)) {
     return key.kind == Kind::substeps && *x == 0 ? quoted_text("auto") : std::to_string(*x);
   }
+  if (const auto* x = std::get_if<std::vector<std::string>>(&value)) {
+    std::string list;
+    for (const std::string& entry : *x) list.append(list.empty() ? "" : ", ").append(quoted_text(entry));
+    return "[" + list + "]";
+  }
   return list_text(key, std::get<std::vector<double>>(value), dimension);
 }
 

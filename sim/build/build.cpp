@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/body/start.h"
+#include "sim/build/contacts.h"
 #include "sim/build/warnings.h"
 #include "sim/element/element.h"
 #include "sim/mesh/boundary.h"
@@ -220,9 +221,16 @@ void form_pattern(Parts& parts) {
   if (parts.scheme->is_explicit()) return;
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
+  // Bodies in touch couple nodes outside of the pattern: these two do not look there.
+  if (!model.contacts.empty() &&
+      (model.solver.linear == LinearSolverKind::two_level || model.solver.linear == LinearSolverKind::pcg_assembled))
+    throw InputError("solver.linear", "\"" + std::string(name_of(model.solver.linear)) +
+                                          "\" does not solve scenes with a [[contact]]: take cholmod or pcg");
+  if (!model.contacts.empty() && by_itself) model.solver.linear = LinearSolverKind::cholmod;
   model.solver.linear = settled_solver(model.solver.linear, model.dofs());
   if (by_itself)
-    parts.remarks.push_back(model.solver.linear == LinearSolverKind::two_level
+    parts.remarks.push_back(!model.contacts.empty() ? "solver: CHOLMOD, as bodies may touch"
+                            : model.solver.linear == LinearSolverKind::two_level
                                 ? "solver: conjugate gradients on two levels, for this size"
                                 : "solver: conjugate gradients on two levels; CHOLMOD from where they take too long");
   if (!forms_matrix(model.solver.linear)) return;
@@ -256,6 +264,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
     model.terms.push_back(std::make_unique<Gravity>(scene.world.gravity, model.masses, model.X, model.D));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) add_loads(model, b);
   add_obstacles(model, scene.obstacles);
+  add_contacts(*parts, scene);
   add_springs(model, scene.springs);
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(model, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));

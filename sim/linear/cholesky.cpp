@@ -42,16 +42,28 @@ bool Cholesky::analyse(const BlockMatrix& A, const Eigen::VectorXd& free) {
     }
   source_.clear();
   std::vector<int> start = {0}, row;
+  std::vector<std::pair<int, std::size_t>> column;
+  std::size_t outside = 0;  // pairs of nodes before the one after this
   for (const int i : dof_) {
     const int node = i / D, c = i % D;
+    column.clear();
+    // A is symmetric: (i, other) stands for (other, i)
+    const auto add_block = [&](int other_node, std::size_t block) {
+      for (int r = 0; r < D; ++r)
+        if (const int other = number[other_node * D + r]; other >= number[i])
+          column.push_back({other, (block * D + c) * D + r});
+    };
     for (int k = A.pattern().start[node]; k < A.pattern().start[node + 1]; ++k)
-      for (int r = 0; r < D; ++r) {
-        const int other = number[A.pattern().column[k] * D + r];
-        if (other < number[i]) continue;
-        row.push_back(other);
-        source_.push_back((static_cast<std::size_t>(k) * D + c) * D +
-                          r);  // A is symmetric: (i, other) stands for (other, i)
-      }
+      add_block(A.pattern().column[k], static_cast<std::size_t>(k));
+    for (; outside < A.outside().size() && A.outside()[outside].i <= node; ++outside) {
+    }
+    for (std::size_t k = outside; k-- > 0 && A.outside()[k].i == node;)
+      add_block(A.outside()[k].j, A.pattern().column.size() + k);
+    std::sort(column.begin(), column.end());
+    for (const auto& [other, from] : column) {
+      row.push_back(other);
+      source_.push_back(from);
+    }
     start.push_back(static_cast<int>(row.size()));
   }
   const std::size_t size = dof_.size();
@@ -71,7 +83,9 @@ bool Cholesky::analyse(const BlockMatrix& A, const Eigen::VectorXd& free) {
 
 Cholesky::Status Cholesky::factorise(const BlockMatrix& A) {
   auto* values = static_cast<double*>(matrix_->x);
-  for (std::size_t k = 0; k < source_.size(); ++k) values[k] = A.values()[source_[k]];
+  const std::size_t inside = A.values().size();
+  for (std::size_t k = 0; k < source_.size(); ++k)
+    values[k] = source_[k] < inside ? A.values()[source_[k]] : A.outside_values()[source_[k] - inside];
   // CHOLMOD opens teams of its own, of four threads whatever the machine has: none within this one.
   const int levels = omp_get_max_active_levels();
   omp_set_max_active_levels(0);

@@ -22,7 +22,7 @@ class Cholesky {
   Cholesky(const Cholesky&) = delete;
   Cholesky& operator=(const Cholesky&) = delete;
 
-  // The pattern of A without the components where free is 0. False: no memory for it.
+  // The pattern of A, pairs outside of it included, without the components where free is 0. False: no memory for it.
   bool analyse(const BlockMatrix& A, const Eigen::VectorXd& free);
   enum class Status { done, not_positive_definite, out_of_memory };
   Status factorise(const BlockMatrix& A);
@@ -44,7 +44,7 @@ class Cholesky {
   cholmod_dense_struct* x_ = nullptr;
   cholmod_dense_struct* work_y_ = nullptr;
   cholmod_dense_struct* work_e_ = nullptr;
-  std::vector<std::size_t> source_;  // of each entry of the matrix, in the values of A
+  std::vector<std::size_t> source_;  // of each entry of the matrix, in the values of A and then those outside
   std::vector<int> dof_;             // of each row
   double solves_per_factor_ = 0, factor_operations_ = 0;
   std::int64_t factor_nonzeros_ = 0;

@@ -45,7 +45,8 @@ template <int D>
 bool CoarseMatrix<D>::make(const FloatMatrix<D>& A, const RigidModes<D>& modes, int threads) {
   if (!analysed_ && !cholesky_.analyse(C_, Eigen::VectorXd::Ones(size()))) return false;
   analysed_ = true;
-  C_.set_zero();
+  std::vector<NodePair> none;
+  C_.set_zero(none);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (int a = 0; a < pattern_.rows(); ++a) make_row(a, A, modes);
   return cholesky_.factorise(C_) == Cholesky::Status::done;

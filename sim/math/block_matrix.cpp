@@ -12,6 +12,10 @@ int BlockPattern::slot(int i, int j) const {
   return static_cast<int>(at - column.begin());
 }
 
+bool BlockPattern::has(int i, int j) const {
+  return std::binary_search(column.begin() + start[i], column.begin() + start[i + 1], j);
+}
+
 void Coupling::add(std::span<const int> clique) {
   members_.insert(members_.end(), clique.begin(), clique.end());
   start_.push_back(static_cast<int>(members_.size()));
@@ -43,6 +47,21 @@ BlockPattern Coupling::pattern() const {
     for (int k = pattern.start[i]; pattern.column[k] < i; ++k)
       pattern.below.push_back({k, pattern.slot(pattern.column[k], i)});
   return pattern;
+}
+
+void BlockMatrix::set_zero(std::vector<NodePair>& outside) {
+  std::fill(values_.begin(), values_.end(), 0.0);
+  std::sort(outside.begin(), outside.end());
+  outside.erase(std::unique(outside.begin(), outside.end()), outside.end());
+  std::erase_if(outside, [&](const NodePair& pair) { return pattern_->has(pair.i, pair.j); });
+  outside_.assign(outside.begin(), outside.end());
+  outside_values_.assign(outside_.size() * static_cast<std::size_t>(D_) * D_, 0.0);
+}
+
+double* BlockMatrix::find(int i, int j) {
+  const auto at = std::lower_bound(outside_.begin(), outside_.end(), NodePair{i, j});
+  if (at == outside_.end() || *at != NodePair{i, j}) return block(pattern_->slot(i, j));
+  return outside_values_.data() + static_cast<std::size_t>(at - outside_.begin()) * D_ * D_;
 }
 
 void BlockMatrix::mirror(int threads) {
@@ -86,6 +105,16 @@ void BlockMatrix::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y, int thr
     multiply_blocks<2>(*pattern_, values_.data(), p.data(), y.data(), threads);
   else
     multiply_blocks<3>(*pattern_, values_.data(), p.data(), y.data(), threads);
+  for (std::size_t k = 0; k < outside_.size(); ++k) {
+    const double* block = outside_values_.data() + k * D_ * D_;
+    const Eigen::Index i = static_cast<Eigen::Index>(outside_[k].i) * D_,
+                       j = static_cast<Eigen::Index>(outside_[k].j) * D_;
+    for (int r = 0; r < D_; ++r)
+      for (int c = 0; c < D_; ++c) {
+        y[i + r] += block[r * D_ + c] * p[j + c];
+        y[j + c] += block[r * D_ + c] * p[i + r];
+      }
+  }
 }
 
 }  // namespace sim

@@ -3,10 +3,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <compare>
 #include <span>
 #include <vector>
 
 namespace sim {
+
+// Two nodes, i < j.
+struct NodePair {
+  int i, j;
+  auto operator<=>(const NodePair&) const = default;
+};
 
 // Which nodes are coupled; rows sorted, the diagonal always present.
 struct BlockPattern {
@@ -23,6 +30,7 @@ struct BlockPattern {
   int blocks() const { return static_cast<int>(column.size()); }
   // Position of block (i, j) in `column`; it must exist.
   int slot(int i, int j) const;
+  bool has(int i, int j) const;
 };
 
 // Gathers which nodes are coupled, clique by clique, and makes the pattern.
@@ -50,7 +58,13 @@ class BlockMatrix {
   double* block(int slot) { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }  // row-major
   const double* block(int slot) const { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }
 
-  void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+  // All blocks 0, those of the pattern and of these pairs outside of it (any order, any number of times).
+  void set_zero(std::vector<NodePair>& outside);
+  // Block (i, j), i <= j, of the pattern or of a pair outside of it.
+  double* find(int i, int j);
+  // The pairs outside of the pattern, sorted, and their values one after the other.
+  const std::vector<NodePair>& outside() const { return outside_; }
+  const std::vector<double>& outside_values() const { return outside_values_; }
   // Terms fill the blocks (i, j) with i <= j; this copies them to (j, i).
   void mirror(int threads);
   void diagonal(Eigen::VectorXd& d) const;
@@ -61,6 +75,8 @@ class BlockMatrix {
   const BlockPattern* pattern_;
   int D_;
   std::vector<double> values_;
+  std::vector<NodePair> outside_;
+  std::vector<double> outside_values_;
 };
 
 }  // namespace sim

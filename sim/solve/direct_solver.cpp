@@ -25,9 +25,11 @@ void DirectSolver::assemble(const TangentOperator& A) {
 
 Cholesky::Status DirectSolver::factorise(const TangentOperator& A) {
   if (!cholesky_) cholesky_.emplace();
-  if (epoch_ != A.epoch()) {
+  // With exactly the pairs that are there, so that the same matrix has the same factor, whatever was there before.
+  if (epoch_ != A.epoch() || outside_ != matrix_->outside()) {
     if (!cholesky_->analyse(*matrix_, A.free())) return Cholesky::Status::out_of_memory;
     epoch_ = A.epoch();
+    outside_ = matrix_->outside();
   }
   return cholesky_->factorise(*matrix_);
 }

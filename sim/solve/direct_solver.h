@@ -38,8 +38,9 @@ class DirectSolver final : public LinearSolver {
   std::optional<BlockMatrix> matrix_;
   std::optional<Cholesky> cholesky_;
   KeptFactor held_;
-  int epoch_ = -1;              // of the free components that were analysed
-  std::int64_t revision_ = -1;  // of A, that was assembled
+  int epoch_ = -1;                 // of the free components that were analysed
+  std::vector<NodePair> outside_;  // pairs outside of the pattern that were analysed
+  std::int64_t revision_ = -1;     // of A, that was assembled
   PcgScratch scratch_;
   std::optional<IterativeSolver> fallback_;
   bool to_be_said_ = false;  // that there is no factor

@@ -8,6 +8,7 @@
 #include "sim/body/body_range.h"
 #include "sim/body/mass.h"
 #include "sim/body/pins.h"
+#include "sim/term/contact.h"
 #include "sim/term/elastic.h"
 #include "sim/term/term.h"
 
@@ -34,6 +35,7 @@ struct Model {
   std::vector<Mass> masses;   // one for each body
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<ElasticPart> elastic;
+  std::vector<const ContactTerm*> contacts;  // of the terms
   std::optional<BlockPattern> pattern;  // only where a solver forms a matrix
   Pins pins;
   double energy_scale = 0;  // J: Young's modulus times volume, all bodies; round-off of U is relative to it

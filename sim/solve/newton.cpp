@@ -13,7 +13,6 @@ constexpr double linear_tolerance = 1e-2;  // |residual of the linear solve| / |
 constexpr double chord = 0.1;              // |residual| / |the one before| down to which the tangent is kept
 constexpr double armijo = 1e-4;            // share of the predicted decrease that a step must give
 constexpr int most_halvings = 40;
-constexpr double step_share = 0.9;      // of the largest step that a term allows
 constexpr double force_noise = 1e-15;   // round-off of a body's forces at rest, relative to E V/L: not to be followed
 constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
 
@@ -77,7 +76,8 @@ Newton::Newton(const Model& model, int threads)
       x_from_(model.dofs()),
       v_from_(model.dofs()),
       difference_(model.dofs()),
-      product_(model.dofs()) {}
+      product_(model.dofs()),
+      way_(Eigen::VectorXd::Zero(model.dofs())) {}
 
 void Newton::begin_step(const Motion& start, double t_end, const KeptFactor& kept) {
   if (model_.pins.released(t_end) != tangent_.epoch()) {
@@ -106,16 +106,20 @@ double Newton::potential(const StageProblem& stage, const Motion& motion) {
   return 0.5 * difference_.dot(product_) - 0.5 * difference_.dot(stage.impulse) + U;
 }
 
-// x = x* + g h v on the free components; a static problem moves x itself.
+// x = x* + g h v on the free components; a static problem, and prescribed components on their way, move x itself.
 void Newton::move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const {
   if (stage.gh == 0) {
     x = x_from_ + a * dx_;
     return;
   }
-  v = v_from_ + (a / stage.gh) * dx_;
   const auto& free = tangent_.free();
   for (Eigen::Index i = 0; i < x.size(); ++i)
-    if (free[i] != 0) x[i] = stage.x_star[i] + stage.gh * v[i];
+    if (free[i] != 0) {
+      v[i] = v_from_[i] + (a / stage.gh) * dx_[i];
+      x[i] = stage.x_star[i] + stage.gh * v[i];
+    } else {
+      x[i] = x_from_[i] + a * dx_[i];
+    }
 }
 
 // f - (M (v - v_start) - impulse)/(g h), from the forces in f_
@@ -153,6 +157,10 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
       form_residual(stage, motion);
       made_ = fix;
     }
+    if (is_moving_) {
+      tangent_.multiply(way_, product_);
+      residual_ -= product_;
+    }
     residual_norm_ = residual_.norm();
     watch.stop();
     if (!std::isfinite(residual_norm_)) return false;
@@ -174,6 +182,47 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
     dx_ = residual_.cwiseQuotient(dx_);
     return dx_.allFinite();
   }
+}
+
+// way_: from x to the places of prescribed components; false where all are there.
+bool Newton::has_way_to_go(const StageProblem& stage, const Eigen::VectorXd& x) {
+  way_ = (tangent_.free().array() == 0).select(stage.target - x, 0);
+  return way_.squaredNorm() > 0;
+}
+
+// Prescribed components go to their places as far as nothing stops them, and the others as the linear system says that
+// they follow: (K dx)_free = r - (K way)_free. What is pushed so makes room, and more of the way is free. Nothing need
+// fall meanwhile: what moves the prescribed components does work. False, with report.failure: they do not arrive.
+bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                              StepReport& report) {
+  constexpr int most_moves = 200;
+  // Surfaces that touch must move together to a small part of their gap, which is a tiny part of the way.
+  constexpr double tight = 1e-9;
+  for (int k = 0; has_way_to_go(stage, x); ++k) {
+    is_moving_ = true;
+    const bool found = direction(stage, motion, fix_, false, tight, report);
+    is_moving_ = false;
+    if (k == most_moves || !found) {
+      report.failure = "something that is prescribed is pressed into bodies that cannot make room";
+      return false;
+    }
+    ++report.newton;
+    dx_ += way_;
+    const double limit = tangent_.largest_step(motion, dx_);
+    double a = limit < 1 ? step_share * limit : 1;
+    x_from_ = x;
+    v_from_ = v;
+    move(stage, a, x, v);
+    for (int halvings = 0; !std::isfinite(potential(stage, motion)) && halvings < most_halvings; ++halvings) {
+      a /= 2;
+      move(stage, a, x, v);
+      ++report.backtracks;
+    }
+    if (a == 1)
+      for (Eigen::Index i = 0; i < x.size(); ++i)
+        if (tangent_.free()[i] == 0) x[i] = stage.target[i];
+  }
+  return true;
 }
 
 // Armijo backtracking; the step taken is 0 when none decreases the potential.
@@ -206,6 +255,10 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
   const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, model_.solver.tolerance) : linear_tolerance;
+  if (has_way_to_go(stage, x)) {
+    if (!bring_prescribed(stage, motion, x, v, report)) return false;
+    start.reset();
+  }
   double potential_here = 0;
   if (!stage.one_iteration) potential_here = start ? *start : potential(stage, motion);
   Exactness exactness(fix_);

@@ -8,6 +8,8 @@
 
 namespace sim {
 
+constexpr double step_share = 0.9;  // of the largest step that a term allows
+
 // One stage, in the variables of sim/time/scheme.h. Vectors have D numbers per node.
 struct StageProblem {
   const Eigen::VectorXd& x_star;   // m
@@ -15,6 +17,7 @@ struct StageProblem {
   const Eigen::VectorXd& impulse;  // h sum d_k f_k [kg m/s]
   double gh = 0;                   // s; 0 for a static problem: no mass, x is the unknown
   double t = 0;                    // s, at the end of the stage
+  const Eigen::VectorXd& target;   // m: where prescribed components are at t; others mean nothing
   bool one_iteration = false;
 };
 
@@ -27,9 +30,9 @@ class Newton {
   void begin_step(const Motion& start, double t_end, const KeptFactor& kept);
   // What the state at the step's end tells of.
   void keep(KeptFactor& kept) const;
-  // x and v: the start of the iteration on entry, with prescribed components in place; the stage's solution on return.
-  // start: the potential there, if known. False, with report.failure, when the start is not allowed or a value is not
-  // finite.
+  // x and v: the start of the iteration on entry; the stage's solution on return. Prescribed components that are not
+  // yet where the stage has them, as something is in their way, are brought there first. start: the potential at the
+  // start, if known. False, with report.failure, when the start is not allowed or a value is not finite.
   bool solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
              StepReport& report);
   // The stage's potential up to a constant [J]; +infinity where it is not allowed.
@@ -42,6 +45,9 @@ class Newton {
   bool tangent_serves(const StageProblem& stage, const Motion& motion, StepReport& report);
   bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, bool full_step_before,
                  double tolerance, StepReport& report);
+  bool has_way_to_go(const StageProblem& stage, const Eigen::VectorXd& x);
+  bool bring_prescribed(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                        StepReport& report);
   struct Move {
     double a;      // of dx_ that was taken
     double share;  // fall of the potential beyond its round-off, over what the slope promises for all of dx_
@@ -60,6 +66,8 @@ class Newton {
   bool kept_tangent_ = false;                // it is that of the iteration before
   double residual_norm_ = 0;                 // there, N
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
+  Eigen::VectorXd way_;     // of prescribed components to their places
+  bool is_moving_ = false;  // they are on it
 };
 
 }  // namespace sim

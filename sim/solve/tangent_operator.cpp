@@ -38,9 +38,10 @@ double TangentOperator::energy(const Motion& motion) {
   return U;
 }
 
-double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd& dx) const {
+double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd& dx) {
   double a = 1;
-  for (const auto& term : model_.terms) a = std::min(a, term->largest_step(motion, dx));
+  for (std::size_t k = 0; k < stores_.size(); ++k)
+    a = std::min(a, model_.terms[k]->largest_step(motion, dx, *stores_[k]));
   return a;
 }
 
@@ -59,7 +60,9 @@ void TangentOperator::diagonal(Eigen::VectorXd& d) const {
 }
 
 void TangentOperator::assemble_upper(BlockMatrix& A) const {
-  A.set_zero();
+  std::vector<NodePair> pairs;
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_pairs(*stores_[k], pairs);
+  A.set_zero(pairs);
   for (const Mass& mass : model_.masses) mass.add_matrix(where_->c, A);
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_matrix(*stores_[k], 1, A);
 }

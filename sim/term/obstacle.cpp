@@ -4,38 +4,10 @@
 #include <limits>
 #include <sstream>
 
+#include "sim/contact/barrier.h"
+#include "sim/contact/smooth_friction.h"
+
 namespace sim {
-
-namespace {
-
-// b(d) and its derivatives, for 0 < d < dh.
-struct Barrier {
-  double b, first, second;
-  Barrier(double d, double dh) {
-    const double gap = d - dh, log = std::log(d / dh);
-    b = -gap * gap * log;
-    first = -2 * gap * log - gap * gap / d;
-    second = -2 * log - 4 * gap / d + gap * gap / (d * d);
-  }
-};
-
-// f0, f1 = f0', f1' of the speed y: quadratic to linear, twice continuously differentiable at eps.
-struct Mollifier {
-  double f0, f1, slope;
-  Mollifier(double y, double eps) {
-    if (y >= eps) {
-      f0 = y;
-      f1 = 1;
-      slope = 0;
-    } else {
-      f0 = -y * y * y / (3 * eps * eps) + y * y / eps + eps / 3;
-      f1 = -y * y / (eps * eps) + 2 * y / eps;
-      slope = -2 * y / (eps * eps) + 2 / eps;
-    }
-  }
-};
-
-}  // namespace
 
 // Per contact: the normal force and direction when the step began, and the block of the last linearisation.
 struct ObstacleTerm::Blocks : Store {
@@ -45,7 +17,9 @@ struct ObstacleTerm::Blocks : Store {
 };
 
 ObstacleTerm::ObstacleTerm(const Obstacle& obstacle, std::vector<Contact> contacts, double dh, double eps, int D)
-    : obstacle_(obstacle), contacts_(std::move(contacts)), dh_(dh), eps_(eps), D_(D) {}
+    : obstacle_(obstacle), contacts_(std::move(contacts)), dh_(dh), eps_(eps), D_(D) {
+  for (Contact& contact : contacts_) contact.kappa *= dh;
+}
 
 TermInfo ObstacleTerm::info() const {
   std::ostringstream what;
@@ -104,8 +78,8 @@ double ObstacleTerm::energy(const Motion& motion, Store& store) const {
     if (!(d > 0)) return std::numeric_limits<double>::infinity();
     if (d < dh_) U += contacts_[k].kappa * Barrier(d, dh_).b;
     if (motion.dv_dx == 0 || s.lambda[k] == 0 || obstacle_.friction == 0) continue;
-    const Vec3 v = at(motion.v, contacts_[k].node), slip = v - s.normal[k].dot(v) * s.normal[k];
-    U += obstacle_.friction * s.lambda[k] * Mollifier(slip.norm(), eps_).f0 / motion.dv_dx;
+    const Vec3 v = at(motion.v, contacts_[k].node), slip = slip_of(v, s.normal[k]);
+    U += obstacle_.friction * s.lambda[k] * SmoothFriction(slip.norm(), eps_).f0 / motion.dv_dx;
   }
   return U;
 }
@@ -119,9 +93,8 @@ void ObstacleTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorX
     const double d = distance(at(motion.x, node), n);
     if (d < dh_) force -= contacts_[k].kappa * Barrier(d, dh_).first * n;
     if (s.lambda[k] != 0 && obstacle_.friction != 0) {
-      const Vec3 v = at(motion.v, node), slip = v - s.normal[k].dot(v) * s.normal[k];
-      const double y = slip.norm();
-      if (y > 0) force -= obstacle_.friction * s.lambda[k] * Mollifier(y, eps_).f1 / y * slip;
+      const Vec3 v = at(motion.v, node), slip = slip_of(v, s.normal[k]);
+      force -= obstacle_.friction * s.lambda[k] * slip_gradient(slip, eps_);
     }
     f.segment(static_cast<Eigen::Index>(node) * D_, D_) += force.head(D_);
   }
@@ -141,13 +114,8 @@ void ObstacleTerm::linearise(const Motion& motion, Definiteness fix, Store& stor
       if (fix == Definiteness::none) s.K[k] += contacts_[k].kappa * b.first * curvature(n, d);
     }
     if (s.lambda[k] == 0 || obstacle_.friction == 0) continue;
-    const Vec3 v = at(motion.v, contacts_[k].node), slip = v - s.normal[k].dot(v) * s.normal[k];
-    const Eigen::Matrix3d T = Eigen::Matrix3d::Identity() - s.normal[k] * s.normal[k].transpose();
-    const double y = slip.norm(), strength = obstacle_.friction * s.lambda[k] * motion.dv_dx;
-    const Mollifier m(y, eps_);
-    const Vec3 along = y > 0 ? Vec3(slip / y) : Vec3(Vec3::Zero());
-    const double across = y > 0 ? m.f1 / y : m.slope;
-    s.K[k] += strength * (across * (T - along * along.transpose()) + m.slope * along * along.transpose());
+    const Vec3 v = at(motion.v, contacts_[k].node), slip = slip_of(v, s.normal[k]);
+    s.K[k] += obstacle_.friction * s.lambda[k] * motion.dv_dx * slip_tangent(slip, s.normal[k], eps_);
   }
 }
 
@@ -177,7 +145,7 @@ void ObstacleTerm::bind(const BlockPattern& pattern) {
 }
 
 // d(x + a dx) = 0: linear in a for a plane, |x + a dx - c|^2 = r^2 for a sphere.
-double ObstacleTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx) const {
+double ObstacleTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store&) const {
   double largest = 1;
   Vec3 n;
   for (const Contact& contact : contacts_) {

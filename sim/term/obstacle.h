@@ -1,5 +1,5 @@
 // An obstacle that no surface node passes: a barrier on its distance, and friction. [Li et al. 2020]
-//   U = sum_i kappa_i b(d_i),  b(d) = -(d - dh)^2 ln(d/dh) for 0 < d < dh, else 0
+//   U = sum_i kappa_i dh b(d_i), b as in sim/contact/barrier.h
 // Friction opposes the tangential velocity with mu lambda_i f1(|v_T|), lambda_i the normal force when the step began,
 // f1 rising smoothly from 0 to 1 at the speed eps: the gradient of a potential in v, so it works in every stage.
 #pragma once
@@ -33,7 +33,7 @@ class ObstacleTerm final : public Term {
   void add_matrix(const Store& store, double s, BlockMatrix& A) const override;
   void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
   void bind(const BlockPattern& pattern) override;
-  double largest_step(const Motion& motion, const Eigen::VectorXd& dx) const override;
+  double largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store&) const override;
 
   // Signed distance [m] of a point, positive outside, and its gradient.
   double distance(const Vec3& x, Vec3& normal) const;

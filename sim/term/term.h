@@ -64,8 +64,11 @@ class Term {
   virtual void couple(Coupling&) const {}
   virtual void bind(const BlockPattern&) {}
 
-  // The largest a <= 1 for which x + a dx is allowed.
-  virtual double largest_step(const Motion&, const Eigen::VectorXd& /*dx*/) const { return 1; }
+  // Pairs (i, j), i < j, of the last linearisation's K that couple() could not name: bodies that touch.
+  virtual void add_pairs(const Store&, std::vector<NodePair>&) const {}
+
+  // The largest a <= 1 for which x + a dx is allowed, and all before it.
+  virtual double largest_step(const Motion&, const Eigen::VectorXd& /*dx*/, Store&) const { return 1; }
 };
 
 }  // namespace sim

@@ -19,8 +19,8 @@ enum class Guess { stay, flight, carried_on };
 
 ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
     : model_(model), scheme_(scheme), newton_(model, threads), begin_(most_halvings + 1) {
-  for (Eigen::VectorXd* v :
-       {&x_star_, &v_start_, &impulse_, &x_first_, &v_first_, &force_first_, &x_, &v_, &x_lagged_, &v_lagged_, &force_})
+  for (Eigen::VectorXd* v : {&x_star_, &v_start_, &way_, &target_, &impulse_, &x_first_, &v_first_, &force_first_, &x_,
+                             &v_, &x_lagged_, &v_lagged_, &force_})
     v->resize(model.dofs());
 }
 
@@ -31,9 +31,12 @@ std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const 
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
   if (scheme.is_static || scheme.one_iteration) {
     x_ = next_.x;
-    v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size()))
-                         : Eigen::VectorXd((x_ - x_star_) / problem.gh);
+    if (problem.gh == 0)
+      v_.setZero();
+    else
+      v_ = (x_ - x_star_) / problem.gh;
     model_.pins.prescribe(problem.t, x_, v_);
+    if (scheme.is_static) limit_guess(problem);
     return {};
   }
   const auto aim = [&](Guess start) {
@@ -58,7 +61,24 @@ std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const 
     }
   }
   if (best != last) aim(best);
-  return lowest;
+  if (limit_guess(problem)) lowest = newton_.potential(problem, motion);
+  if (std::isfinite(lowest)) return lowest;
+  aim(Guess::stay);
+  limit_guess(problem);
+  return {};
+}
+
+// The start of the iteration is a move from x_n like every other: it ends before what it would pass through, prescribed
+// components as well. True: it was cut.
+bool ImplicitStepper::limit_guess(const StageProblem& problem) {
+  way_ = x_ - next_.x;
+  const double limit = newton_.tangent().largest_step({next_.x, next_.v, problem.t, 0}, way_);
+  if (limit >= 1) return false;
+  x_ = next_.x + (step_share * limit) * way_;
+  if (problem.gh == 0) return true;
+  v_ = (x_ - x_star_) / problem.gh;
+  model_.pins.prescribe(problem.t, way_, v_);
+  return true;
 }
 
 bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin,
@@ -79,8 +99,14 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
       impulse_ += (h * stage.d[k]) * *f[k];
     }
   }
-  const StageProblem problem{
-      x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, t_begin + stage.end * h, scheme.one_iteration};
+  const StageProblem problem{x_star_,
+                             v_start_,
+                             impulse_,
+                             scheme.is_static ? 0 : stage.g * h,
+                             t_begin + stage.end * h,
+                             target_,
+                             scheme.one_iteration};
+  model_.pins.prescribe(problem.t, target_, v_);
   const std::optional<double> start = guess(problem, scheme, h);
   if (!newton_.solve(problem, start, x_, v_, report)) return false;
   // What was frozen at the step's start cost an order of accuracy; frozen at the stage's solution it does not.

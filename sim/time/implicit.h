@@ -27,6 +27,7 @@ class ImplicitStepper final : public Stepper {
   bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
   std::optional<double> guess(const StageProblem& problem, const Scheme& scheme, double h);
+  bool limit_guess(const StageProblem& problem);
   void calm(const State& begin, double t, double t_end);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
@@ -36,7 +37,7 @@ class ImplicitStepper final : public Stepper {
   bool in_vain_ = false;      // halving did not help in the step under way
   State next_;                // the step under way; the caller's state is untouched until it is done
   std::vector<State> begin_;  // where the step, and its halves, began; by depth
-  Eigen::VectorXd x_star_, v_start_, impulse_;
+  Eigen::VectorXd x_star_, v_start_, impulse_, way_, target_;
   Eigen::VectorXd x_first_, v_first_, force_first_;  // first stage of two
   Eigen::VectorXd x_, v_, force_;                    // the stage under way
   Eigen::VectorXd x_lagged_, v_lagged_;              // where the terms froze what they keep, if not at the start

@@ -28,7 +28,9 @@ TEST(Csv, HeadersAreTheDocumentedColumns) {
   EXPECT_EQ(probes_header(probes, 3), "t,tip.ux,tip.uy,tip.uz,root.ux,root.uy,root.uz\n");
   EXPECT_EQ(probes_header(probes, 2), "t,tip.ux,tip.uy,root.ux,root.uy\n");
   EXPECT_EQ(probes_header({}, 3), "t\n");
-  EXPECT_EQ(steps_header(), "step,t,kinetic,elastic,potential,px,py,pz,Lx,Ly,Lz,newton,linear,min_J,seconds\n");
+  const std::string header = "step,t,kinetic,elastic,potential,px,py,pz,Lx,Ly,Lz,newton,linear,min_J,seconds";
+  EXPECT_EQ(steps_header(false), header + "\n");
+  EXPECT_EQ(steps_header(true), header + ",min_gap,contacts\n");
 }
 
 TEST(Csv, GoingOnCutsLaterRowsOff) {

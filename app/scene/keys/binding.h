@@ -138,6 +138,7 @@ std::vector<Key> material_keys();
 std::vector<Key> pin_keys();
 std::vector<Key> load_keys();
 std::vector<Key> obstacle_keys();
+std::vector<Key> contact_keys();
 std::vector<Key> spring_keys();
 std::vector<Key> probe_keys();
 std::vector<Key> camera_keys();

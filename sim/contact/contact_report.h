@@ -1,0 +1,18 @@
+// What a contact has to say at a moment, for each pair of bodies.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "sim/math/vec3.h"
+
+namespace sim {
+
+struct ContactReport {
+  std::string first, second;                             // names of bodies; the same twice: with itself
+  int pairs = 0;                                         // that push
+  double gap = std::numeric_limits<double>::infinity();  // m, the least; infinity: none near enough to be looked at
+  Vec3 force = {0, 0, 0};                                // N, normal force on the first; 0 with itself
+};
+
+}  // namespace sim

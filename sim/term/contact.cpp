@@ -1,0 +1,364 @@
+#include "sim/term/contact.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "sim/contact/barrier.h"
+#include "sim/contact/mollifier.h"
+#include "sim/contact/pair_tangent.h"
+#include "sim/contact/smooth_friction.h"
+
+namespace sim {
+
+namespace {
+
+constexpr double margin = 1e-3;  // of the reach: round-off of a way, and small moves without a new search
+
+int points_in(const Touch& touch) {
+  return touch.e > 0 ? 4 : node_count(touch.feature);
+}
+
+// Positions of the points of a touch.
+struct TouchPlaces {
+  Vec3 x[4], near[4];
+  TouchPlaces(const Touch& touch, const Eigen::Matrix3Xd& positions) {
+    for (int i = 0; i < points_in(touch); ++i) x[i] = positions.col(touch.point[i]);
+    for (int i = 0; i < node_count(touch.feature); ++i) near[i] = x[touch.near[i]];
+  }
+};
+
+// Numbers of the nearest points' own order, put where the touch has these points.
+PairVector spread(const Touch& touch, const PairVector& g) {
+  if (touch.e == 0) return g;
+  PairVector all = PairVector::Zero();
+  for (int i = 0; i < node_count(touch.feature); ++i) all.segment<3>(3 * touch.near[i]) = g.segment<3>(3 * i);
+  return all;
+}
+PairMatrix spread(const Touch& touch, const PairMatrix& H) {
+  PairMatrix all = PairMatrix::Zero();
+  for (int i = 0; i < node_count(touch.feature); ++i)
+    for (int j = 0; j < node_count(touch.feature); ++j)
+      all.block<3, 3>(3 * touch.near[i], 3 * touch.near[j]) = H.block<3, 3>(3 * i, 3 * j);
+  return all;
+}
+
+// d(M b)/dx
+PairVector touch_gradient(const Touch& touch, const TouchPlaces& at, const Distance& distance, const Barrier& b) {
+  const PairVector g = spread(touch, distance.gradient());
+  if (touch.e == 0) return b.first * g;
+  const MollifierTangent M(at.x, touch.e);
+  return b.b * M.gradient + M.M * b.first * g;
+}
+
+// d2(M b)/dx2
+PairMatrix touch_tangent(const Touch& touch, const TouchPlaces& at, const Distance& distance, const Barrier& b,
+                         Definiteness fix) {
+  if (touch.e == 0) return pair_tangent(distance, b.first, b.second, fix);
+  const MollifierTangent M(at.x, touch.e);
+  const PairVector g = spread(touch, distance.gradient());
+  const PairMatrix cross = b.first * M.gradient * g.transpose();
+  const PairMatrix H = b.b * M.hessian + cross + cross.transpose() +
+                       M.M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none));
+  return fix == Definiteness::none ? H : without_negative_part(H);
+}
+
+}  // namespace
+
+// Friction of a pair: frozen when the step began.
+struct ContactTerm::Stick {
+  std::array<int, 4> point;
+  int count;
+  double c[4];
+  Vec3 n;
+  double strength;  // mu lambda, N
+};
+
+struct ContactTerm::Contacts : Store {
+  // Where the candidates hold: as long as every point is in its box.
+  Boxes boxes;
+  std::vector<Candidate> candidates;
+  Eigen::Matrix3Xd x, way;  // of the points
+  std::vector<Touch> touches;
+  std::vector<Stick> sticks;
+  // Of the last linearisation.
+  struct Block {
+    std::array<int, 4> point;
+    int count;
+    PairMatrix K;
+  };
+  std::vector<Block> blocks;
+};
+
+ContactTerm::ContactTerm(Input input, const Eigen::VectorXd& X)
+    : in_(std::move(input)),
+      broad_phase_(in_.skin,
+                   [&] {
+                     Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(in_.skin.node.size()));
+                     const int D = in_.skin.D;
+                     for (Eigen::Index p = 0; p < x.cols(); ++p)
+                       x.col(p).head(D) = X.segment(static_cast<Eigen::Index>(in_.skin.node[p]) * D, D);
+                     return x;
+                   }()),
+      reach_(0) {
+  for (const Couple& couple : in_.couples) reach_ = std::max(reach_, couple.dh + couple.xi);
+}
+
+TermInfo ContactTerm::info() const {
+  std::ostringstream what;
+  what << in_.skin.node.size() << " points, " << in_.skin.faces.size() << (in_.skin.D == 2 ? " edges" : " faces");
+  for (const Couple& couple : in_.couples)
+    if (&couple == &in_.couples.front() || couple.dh != in_.couples.front().dh) what << ", from " << couple.dh << " m";
+  what << ", stiffness " << in_.couples.front().kappa << " Pa, friction " << in_.friction;
+  return {"contact " + in_.name, what.str()};
+}
+
+std::unique_ptr<Term::Store> ContactTerm::make_store(int threads) const {
+  auto store = std::make_unique<Contacts>();
+  store->threads = threads;
+  store->x = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(in_.skin.node.size()));
+  return store;
+}
+
+void ContactTerm::place(const Eigen::VectorXd& x, Contacts& s) const {
+  const int D = in_.skin.D;
+  for (std::size_t p = 0; p < in_.skin.node.size(); ++p)
+    s.x.col(static_cast<Eigen::Index>(p)).head(D) = x.segment(static_cast<Eigen::Index>(in_.skin.node[p]) * D, D);
+}
+
+// Candidates for the points at s.x, found anew only where one has left its box.
+void ContactTerm::cover(Contacts& s) const {
+  const std::size_t n = in_.skin.node.size();
+  bool inside = s.boxes.points.size() == n;
+  for (std::size_t p = 0; inside && p < n; ++p)
+    inside = s.boxes.points[p].contains(s.x.col(static_cast<Eigen::Index>(p)));
+  if (inside) return;
+  s.boxes.points.resize(n);
+  for (std::size_t p = 0; p < n; ++p) {
+    const Vec3 x = s.x.col(static_cast<Eigen::Index>(p)), grow = Vec3::Constant(margin * reach_);
+    s.boxes.points[p] = Bounds(x - grow, x + grow);
+  }
+  broad_phase_.find(in_.couples, std::numeric_limits<std::size_t>::max(), s.boxes, s.candidates);
+}
+
+// The touches at the motion, gathered; false where two primitives are at their offset or nearer.
+bool ContactTerm::find_touches(const Motion& motion, Contacts& s) const {
+  place(motion.x, s);
+  s.touches.clear();
+  if (!s.x.allFinite()) return false;
+  cover(s);
+  for (const Candidate& candidate : s.candidates)
+    if (!add_touches(in_.skin, in_.couples, candidate, s.x, s.touches)) return false;
+  gather(s.touches);
+  return true;
+}
+
+void ContactTerm::begin_step(const Motion& start, Store& store) const {
+  auto& s = static_cast<Contacts&>(store);
+  s.sticks.clear();
+  if (in_.friction == 0 || !find_touches(start, s)) return;
+  for (const Touch& touch : s.touches) {
+    const Couple& couple = in_.couples[touch.couple];
+    const TouchPlaces at(touch, s.x);
+    const Distance distance(touch.feature, at.near);
+    const double M = touch.e > 0 ? mollifier(at.x, touch.e) : 1;
+    const double lambda = -touch.weight * M * Barrier(distance.d - couple.xi, couple.dh).first;
+    if (!(lambda > 0)) continue;
+    Stick stick{{}, distance.nodes, {}, distance.n, in_.friction * lambda};
+    for (int i = 0; i < distance.nodes; ++i) {
+      stick.point[i] = touch.point[touch.near[i]];
+      stick.c[i] = distance.c[i];
+    }
+    s.sticks.push_back(stick);
+  }
+}
+
+Vec3 ContactTerm::slip(const Stick& stick, const Eigen::VectorXd& v) const {
+  const int D = in_.skin.D;
+  Vec3 w = Vec3::Zero();
+  for (int i = 0; i < stick.count; ++i)
+    w.head(D) += stick.c[i] * v.segment(static_cast<Eigen::Index>(in_.skin.node[stick.point[i]]) * D, D);
+  return slip_of(w, stick.n);
+}
+
+double ContactTerm::energy(const Motion& motion, Store& store) const {
+  auto& s = static_cast<Contacts&>(store);
+  if (!find_touches(motion, s)) return std::numeric_limits<double>::infinity();
+  double U = 0;
+  for (const Touch& touch : s.touches) {
+    const Couple& couple = in_.couples[touch.couple];
+    const double M = touch.e > 0 ? mollifier(TouchPlaces(touch, s.x).x, touch.e) : 1;
+    U += touch.weight * M * Barrier(touch.d - couple.xi, couple.dh).b;
+  }
+  if (motion.dv_dx != 0)
+    for (const Stick& stick : s.sticks)
+      U += stick.strength * SmoothFriction(slip(stick, motion.v).norm(), in_.eps).f0 / motion.dv_dx;
+  return U;
+}
+
+void ContactTerm::scatter(const std::array<int, 4>& points, int count, const PairVector& force,
+                          Eigen::VectorXd& f) const {
+  const int D = in_.skin.D;
+  for (int i = 0; i < count; ++i)
+    f.segment(static_cast<Eigen::Index>(in_.skin.node[points[i]]) * D, D) += force.segment(3 * i, D);
+}
+
+void ContactTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const {
+  auto& s = static_cast<Contacts&>(store);
+  find_touches(motion, s);
+  for (const Touch& touch : s.touches) {
+    const Couple& couple = in_.couples[touch.couple];
+    const TouchPlaces at(touch, s.x);
+    const Distance distance(touch.feature, at.near);
+    const Barrier b(distance.d - couple.xi, couple.dh);
+    scatter(touch.point, points_in(touch), -touch.weight * touch_gradient(touch, at, distance, b), f);
+  }
+  for (const Stick& stick : s.sticks) {
+    const Vec3 force = -stick.strength * slip_gradient(slip(stick, motion.v), in_.eps);
+    PairVector all = PairVector::Zero();
+    for (int i = 0; i < stick.count; ++i) all.segment<3>(3 * i) = stick.c[i] * force;
+    scatter(stick.point, stick.count, all, f);
+  }
+}
+
+void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const {
+  auto& s = static_cast<Contacts&>(store);
+  add_forces(motion, store, f);
+  s.blocks.resize(s.touches.size() + s.sticks.size());
+#pragma omp parallel for schedule(static) num_threads(s.threads)
+  for (std::size_t k = 0; k < s.touches.size(); ++k) {
+    const Touch& touch = s.touches[k];
+    const Couple& couple = in_.couples[touch.couple];
+    const TouchPlaces at(touch, s.x);
+    const Distance distance(touch.feature, at.near);
+    const Barrier b(distance.d - couple.xi, couple.dh);
+    Contacts::Block& block = s.blocks[k];
+    block.point = touch.point;
+    block.count = points_in(touch);
+    // A count below 0, in a hollow, pulls: a negative part, kept only in the exact tangent.
+    if (touch.weight < 0 && fix != Definiteness::none)
+      block.K.setZero();
+    else
+      block.K = touch.weight * touch_tangent(touch, at, distance, b, fix);
+  }
+  for (std::size_t k = 0; k < s.sticks.size(); ++k) {
+    const Stick& stick = s.sticks[k];
+    const Eigen::Matrix3d K = stick.strength * motion.dv_dx * slip_tangent(slip(stick, motion.v), stick.n, in_.eps);
+    Contacts::Block& block = s.blocks[s.touches.size() + k];
+    block.point = stick.point;
+    block.count = stick.count;
+    for (int i = 0; i < stick.count; ++i)
+      for (int j = 0; j < stick.count; ++j) block.K.block<3, 3>(3 * i, 3 * j) = stick.c[i] * stick.c[j] * K;
+  }
+}
+
+void ContactTerm::add_product(const Store& store, double scale, const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
+  const auto& s = static_cast<const Contacts&>(store);
+  const int D = in_.skin.D;
+  for (const Contacts::Block& block : s.blocks) {
+    PairVector q = PairVector::Zero();
+    for (int i = 0; i < block.count; ++i)
+      q.segment(3 * i, D) = p.segment(static_cast<Eigen::Index>(in_.skin.node[block.point[i]]) * D, D);
+    const int n = 3 * block.count;
+    PairVector Kq = PairVector::Zero();
+    Kq.head(n) = scale * (block.K.topLeftCorner(n, n) * q.head(n));
+    scatter(block.point, block.count, Kq, y);
+  }
+}
+
+void ContactTerm::add_matrix(const Store& store, double scale, BlockMatrix& A) const {
+  const auto& s = static_cast<const Contacts&>(store);
+  const int D = in_.skin.D;
+  for (const Contacts::Block& block : s.blocks)
+    for (int i = 0; i < block.count; ++i)
+      for (int j = 0; j < block.count; ++j) {
+        const int row = in_.skin.node[block.point[i]], column = in_.skin.node[block.point[j]];
+        if (row > column) continue;
+        double* to = A.find(row, column);
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) to[r * D + c] += scale * block.K(3 * i + r, 3 * j + c);
+      }
+}
+
+void ContactTerm::add_diagonal(const Store& store, double scale, Eigen::VectorXd& d) const {
+  const auto& s = static_cast<const Contacts&>(store);
+  for (const Contacts::Block& block : s.blocks) scatter(block.point, block.count, scale * block.K.diagonal(), d);
+}
+
+void ContactTerm::add_pairs(const Store& store, std::vector<NodePair>& pairs) const {
+  const auto& s = static_cast<const Contacts&>(store);
+  for (const Contacts::Block& block : s.blocks)
+    for (int i = 0; i < block.count; ++i)
+      for (int j = 0; j < block.count; ++j) {
+        const int row = in_.skin.node[block.point[i]], column = in_.skin.node[block.point[j]];
+        if (row < column) pairs.push_back({row, column});
+      }
+}
+
+std::vector<ContactReport> ContactTerm::reports(const Eigen::VectorXd& x) const {
+  const auto store = make_store(1);
+  auto& s = static_cast<Contacts&>(*store);
+  std::vector<ContactReport> all;
+  for (const Couple& couple : in_.couples) all.push_back({in_.names[couple.a], in_.names[couple.b]});
+  if (!find_touches({x, x, 0, 0}, s)) return all;
+  for (const Touch& touch : s.touches) {
+    const Couple& couple = in_.couples[touch.couple];
+    ContactReport& report = all[touch.couple];
+    ++report.pairs;
+    report.gap = std::min(report.gap, touch.d - couple.xi);
+    if (couple.a == couple.b) continue;
+    const TouchPlaces at(touch, s.x);
+    const Distance distance(touch.feature, at.near);
+    const PairVector g = touch_gradient(touch, at, distance, Barrier(distance.d - couple.xi, couple.dh));
+    const Span& first = in_.skin.parts[couple.a].points;
+    for (int i = 0; i < points_in(touch); ++i)
+      if (touch.point[i] >= first.first && touch.point[i] < first.last)
+        report.force -= touch.weight * g.segment<3>(3 * i);
+  }
+  return all;
+}
+
+std::vector<Crossing> ContactTerm::crossings(const Eigen::VectorXd& x) const {
+  const auto store = make_store(1);
+  auto& s = static_cast<Contacts&>(*store);
+  place(x, s);
+  return sim::crossings(in_.skin, in_.couples, broad_phase_, s.x);
+}
+
+// Looks for candidates on the whole way first, on ever shorter parts of it where they would be too many.
+double ContactTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store& store) const {
+  constexpr std::size_t most_each = 64;  // candidates a point, on average: a wild way must not fill the memory
+  auto& s = static_cast<Contacts&>(store);
+  const auto n = static_cast<Eigen::Index>(in_.skin.node.size());
+  place(dx, s);
+  s.way = s.x;
+  place(motion.x, s);
+  double part = 1;
+  s.boxes.points.resize(static_cast<std::size_t>(n));
+  const Vec3 grow = Vec3::Constant(margin * reach_);
+  for (;; part /= 2) {
+    for (Eigen::Index p = 0; p < n; ++p) {
+      const Vec3 from = s.x.col(p), to = from + part * s.way.col(p);
+      s.boxes.points[static_cast<std::size_t>(p)] = Bounds(from.cwiseMin(to) - grow, from.cwiseMax(to) + grow);
+    }
+    const bool last = part < 1e-3;
+    const std::size_t most = last ? std::numeric_limits<std::size_t>::max() : most_each * static_cast<std::size_t>(n);
+    if (broad_phase_.find(in_.couples, most, s.boxes, s.candidates)) break;
+  }
+  double least = part;
+#pragma omp parallel for schedule(static) reduction(min : least) num_threads(s.threads)
+  for (std::size_t k = 0; k < s.candidates.size(); ++k) {
+    const Candidate& candidate = s.candidates[k];
+    int points[4];
+    Vec3 x[4], p[4];
+    const int count = points_of(in_.skin, candidate, points);
+    for (int i = 0; i < count; ++i) {
+      x[i] = s.x.col(points[i]);
+      p[i] = s.way.col(points[i]);
+    }
+    least = std::min(least, step_limit(candidate.kind, x, p, in_.couples[candidate.couple].xi, part));
+  }
+  return least;
+}
+
+}  // namespace sim

@@ -1,0 +1,66 @@
+// Contact between deformable bodies, and of a body with itself: no primitive of their surfaces passes another.
+//   U = sum over pairs kappa A m M b(d): sim/contact/touch.h, barrier.h, mollifier.h
+// Friction opposes the slip of each pair with mu lambda f1(|slip|), with lambda, normal and closest points as they were
+// when the step began: U_f = mu lambda f0(|T sum_i c_i v_i|) g h. [Li et al. 2020]
+// Which pairs may come near each other is found for a whole way at once, before a step along it is limited; energies
+// and tangents on that way look at no others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/contact/contact_report.h"
+#include "sim/contact/crossing.h"
+#include "sim/contact/touch.h"
+#include "sim/term/term.h"
+
+namespace sim {
+
+class ContactTerm final : public Term {
+ public:
+  struct Input {
+    std::string name;  // of the two sides
+    Skin skin;
+    std::vector<Couple> couples;
+    double friction = 0;             // Coulomb's coefficient
+    double eps = 0;                  // m/s: where friction is fully grown
+    std::vector<std::string> names;  // of the skin's parts
+  };
+  // X: rest positions of the system
+  ContactTerm(Input input, const Eigen::VectorXd& X);
+
+  TermInfo info() const override;
+  Role role() const override { return Role::applied; }
+  std::unique_ptr<Store> make_store(int threads) const override;
+  void begin_step(const Motion& start, Store& store) const override;
+  bool lags() const override { return in_.friction > 0; }
+  double energy(const Motion& motion, Store& store) const override;
+  void add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const override;
+  void linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const override;
+  void add_product(const Store& store, double s, const Eigen::VectorXd& p, Eigen::VectorXd& y) const override;
+  void add_matrix(const Store& store, double s, BlockMatrix& A) const override;
+  void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
+  void add_pairs(const Store& store, std::vector<NodePair>& pairs) const override;
+  // Every pair of bodies at x: for the eye.
+  std::vector<ContactReport> reports(const Eigen::VectorXd& x) const;
+  // Places where surfaces cross each other at x.
+  std::vector<Crossing> crossings(const Eigen::VectorXd& x) const;
+  const Input& input() const { return in_; }
+
+  double largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store& store) const override;
+
+ private:
+  struct Contacts;
+  struct Stick;  // of friction
+  void place(const Eigen::VectorXd& x, Contacts& s) const;
+  void cover(Contacts& s) const;
+  bool find_touches(const Motion& motion, Contacts& s) const;
+  void scatter(const std::array<int, 4>& points, int count, const PairVector& force, Eigen::VectorXd& f) const;
+  Vec3 slip(const Stick& stick, const Eigen::VectorXd& v) const;
+
+  Input in_;
+  BroadPhase broad_phase_;
+  double reach_;  // m: the largest dh + xi
+};
+
+}  // namespace sim
