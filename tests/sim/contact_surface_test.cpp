@@ -31,7 +31,9 @@ TEST(Skin, OfEveryElementAddsUpToTheSurface) {
     for (const double area : skin.point_area) points += area;
     for (const double area : skin.edge_area) edges += area;
     EXPECT_NEAR(points, surface, 1e-12) << kind.element;
-    if (skin.D == 3) EXPECT_NEAR(edges, surface, 1e-12) << kind.element;
+    if (skin.D == 3) {
+      EXPECT_NEAR(edges, surface, 1e-12) << kind.element;
+    }
     const auto rim = std::count(skin.faces_around.begin(), skin.faces_around.end(), 0);
     EXPECT_EQ(rim > 0, kind.membrane) << kind.element;
     // Euler's formula of a sphere, a disk, a circle.

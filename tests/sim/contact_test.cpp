@@ -176,7 +176,9 @@ TEST(Contact, NothingPassesThroughAtAnySpeedAndStep) {
         ASSERT_EQ(test::count_crossings(scene, state.x), 0) << speed << " m/s, step " << k << " of 1/" << fps << " s";
         // The small box has not come out below; in seconds it may well have fallen off the side.
         const int last = system.bodies()[1].first_node;
-        if (fps > 1) EXPECT_GT(state.x[3 * last + 1], 0) << speed << " m/s, 1/" << fps << " s";
+        if (fps > 1) {
+          EXPECT_GT(state.x[3 * last + 1], 0) << speed << " m/s, 1/" << fps << " s";
+        }
       }
     }
 }
