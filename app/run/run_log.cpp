@@ -19,8 +19,10 @@ RunLog::RunLog(const sim::System& system, const std::vector<sim::Probe>& probes,
       steps_(open_table(folder.steps(), steps_header(system.contact_pairs() > 0), resumed_step, 0)) {
   const int pairs = system.contact_pairs();
   if (pairs == 0) return;
-  contacts_.emplace(resumed_step ? Csv(folder.contacts(), contacts_header(), *resumed_step * pairs)
-                                 : Csv(folder.contacts(), contacts_header()));
+  if (resumed_step)
+    contacts_.emplace(folder.contacts(), contacts_header(), *resumed_step * pairs);
+  else
+    contacts_.emplace(folder.contacts(), contacts_header());
 }
 
 void RunLog::start(const sim::State& state) {

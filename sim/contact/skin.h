@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/math/vec3.h"
 #include "sim/mesh/mesh.h"
 
 namespace sim {

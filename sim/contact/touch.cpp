@@ -1,6 +1,7 @@
 #include "sim/contact/touch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "sim/contact/mollifier.h"

@@ -1,5 +1,6 @@
 #include "sim/term/contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
