@@ -117,7 +117,7 @@ std::string text_of(const Vec3& x, int D) {
 }
 
 // Bodies that cross, or touch, at the start could only be forced apart.
-void check_start(const ContactTerm& term, const Eigen::VectorXd& x, const std::string& key) {
+void check_contact_start(const ContactTerm& term, const Eigen::VectorXd& x, const std::string& key) {
   const ContactTerm::Input& in = term.input();
   const auto names = [&](const Couple& couple) {
     return couple.a == couple.b ? "\"" + in.names[couple.a] + "\" crosses itself"
@@ -163,7 +163,7 @@ void add_contacts(Parts& parts, const Scene& scene) {
     if (input.name.empty()) input.name = "of every pair";
     settle_distance(input, contact, model);
     auto term = std::make_unique<ContactTerm>(std::move(input), model.X);
-    check_start(*term, start, "contact." + std::to_string(k));
+    check_contact_start(*term, start, "contact." + std::to_string(k));
     model.contacts.push_back(term.get());
     model.terms.push_back(std::move(term));
   }

@@ -1,8 +1,8 @@
 #include "app/picture/caption.h"
-#include "app/scene/caption_names.h"
 
 #include <gtest/gtest.h>
 
+#include "app/scene/caption_names.h"
 #include "sim/mesh/generate.h"
 
 namespace app {

@@ -102,7 +102,7 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {body("[look]\naxes = true\n"), "scene.toml:4: look.axes = true: is for 2D only"},
       {body("[look]\ncolour_map = \"jet\"\n"), "must be one of \"viridis\""},
       {body("[solver]\nlinear = \"lu\"\n"),
-       "solver.linear = \"lu\": must be one of \"cholmod\", \"pcg\", \"pcg-assembled\", \"auto\""},
+       "solver.linear = \"lu\": must be one of \"auto\", \"two-level\", \"cholmod\", \"pcg\", \"pcg-assembled\""},
       {body("[solver]\ndefiniteness = \"some\"\n"), "must be one of \"clamp\", \"abs\", \"none\""},
       {body("[solver]\non_failure = \"panic\"\n"), "must be one of \"split\", \"accept\", \"stop\""},
       {body("[camera]\nfollow = \"cat\"\n"),

@@ -107,7 +107,7 @@ TEST_F(Terms, AreAllThatThereAre) {
     std::ifstream header(entry.path());
     for (std::string line; std::getline(header, line);) classes += line.find(": public Term {") != std::string::npos;
   }
-  EXPECT_EQ(here.size(), classes);
+  EXPECT_EQ(here.size() + 1, classes) << "contact, which needs two bodies, has its own: contact_test.cpp";
 }
 
 TEST(Construction, OnlyWhatTheSceneNames) {
