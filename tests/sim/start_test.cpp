@@ -93,5 +93,24 @@ TEST(Start, AnUnknownShapeIsRefused) {
   EXPECT_THROW(System{started("crumpled")}, InputError);
 }
 
+TEST(Start, AffineAndNodesPutNodesWhereTheySay) {
+  Scene scene = started("affine", {"tri3", false});
+  scene.bodies[0].start.matrix = {1, 0.2, 0, 0.8};
+  const System sheared(scene);
+  const Eigen::VectorXd x = sheared.initial_state().x, X = parts_of(sheared).model.X;
+  for (Eigen::Index i = 0; i < X.size(); i += 2) {
+    EXPECT_NEAR(x[i], X[i] + 0.2 * X[i + 1], 1e-15);
+    EXPECT_NEAR(x[i + 1], 0.8 * X[i + 1], 1e-15);
+  }
+  EXPECT_NEAR(smallest_J(sheared).J, 0.8, 1e-12);
+  Scene placed = started("nodes", {"tri3", false});
+  for (Eigen::Index i = 0; i < x.size(); i += 2) placed.bodies[0].start.nodes.push_back({x[i], x[i + 1], 0});
+  EXPECT_EQ(System(placed).initial_state().x, x);
+  placed.bodies[0].start.nodes.pop_back();
+  EXPECT_THROW(System{placed}, InputError);
+  scene.bodies[0].start.matrix.clear();
+  EXPECT_THROW(System{scene}, InputError);
+}
+
 }  // namespace
 }  // namespace sim::test
