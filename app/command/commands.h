@@ -26,5 +26,6 @@ int view(const Options& options);
 int explain(const Options& options);
 int trade(const Options& options);
 int stress(const Options& options);
+int modes(const Options& options);
 
 }  // namespace app

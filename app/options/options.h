@@ -43,7 +43,9 @@ struct Options {
   std::string only;                 // stress: the cases whose name has this in it; empty: all
   std::filesystem::path replay;     // record: the session to draw again; empty: none
   bool panel = false;               // record: the panel is drawn into the frames
+  std::vector<std::filesystem::path> deck;  // view: the pages, of which `scene` is the first
   std::filesystem::path log;        // view: where the session is written; empty: nowhere
+  int count = 6;                    // modes: of each body
   bool keys = false;                // explain: print the reference of the keys, no scene
   TradeOptions trade;
 };
