@@ -37,10 +37,12 @@ GLFWwindow* open_window(int width, int height, const std::string& title) {
   throw NoDisplay(why != nullptr ? why : "no window with OpenGL 3.3 can be opened");
 }
 
-constexpr std::array<std::pair<int, Key>, 7> known_keys = {{{GLFW_KEY_SPACE, Key::space},
+constexpr std::array<std::pair<int, Key>, 9> known_keys = {{{GLFW_KEY_SPACE, Key::space},
                                                             {GLFW_KEY_LEFT, Key::left},
                                                             {GLFW_KEY_RIGHT, Key::right},
                                                             {GLFW_KEY_BACKSPACE, Key::backspace},
+                                                            {GLFW_KEY_PAGE_UP, Key::page_up},
+                                                            {GLFW_KEY_PAGE_DOWN, Key::page_down},
                                                             {GLFW_KEY_ESCAPE, Key::escape},
                                                             {GLFW_KEY_TAB, Key::tab},
                                                             {GLFW_KEY_F1, Key::f1}}};
