@@ -1,4 +1,6 @@
 // `ritz view`: the window around a workbench.
+#include <imgui.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -8,6 +10,7 @@
 #include "app/base/output_file.h"
 #include "app/base/stopwatch.h"
 #include "app/command/commands.h"
+#include "app/scene/deck.h"
 #include "app/view/workbench.h"
 #include "render/gui.h"
 #include "render/png.h"
@@ -99,7 +102,10 @@ void run(Workbench& bench, Screen& screen) {
 
 }  // namespace
 
-int view(const Options& options) {
+int view(const Options& given) {
+  Options options = given;
+  options.deck = pages_of(given.scene);
+  options.scene = options.deck.front();
   auto session = std::make_unique<Session>(options);
   try {
     Screen screen(options, "Ritz: " + options.scene.filename().string());

@@ -29,6 +29,7 @@ class RunFolder {
   std::filesystem::path session() const { return folder_ / "session.toml"; }  // that was replayed
   std::filesystem::path probes() const { return folder_ / "probes.csv"; }
   std::filesystem::path steps() const { return folder_ / "steps.csv"; }
+  std::filesystem::path numbers() const { return folder_ / "numbers.csv"; }
   std::filesystem::path state() const { return folder_ / "state.bin"; }
   std::filesystem::path frames() const { return folder_ / "frames"; }
   std::filesystem::path vtu_folder() const { return folder_ / "vtu"; }

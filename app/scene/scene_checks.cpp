@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/scene/caption_names.h"
+#include "app/scene/exhibits.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/locate.h"
 
@@ -113,6 +114,18 @@ void check_body_name(const sim::Scene& scene, const std::string& name, const std
   throw InputError(path, "there is no such body; there are: " + listed(names));
 }
 
+// A kind has its own keys among those of all exhibits.
+void check_exhibits(const std::vector<Item>& items, const Document& document) {
+  for (const Item& item : items) {
+    if (parent(item.key->path) != "exhibit[]" || last_name(item.key->path) == "kind") continue;
+    const ExhibitKind& kind = *find_exhibit_kind(document.exhibits[static_cast<std::size_t>(item.indices[0])].kind);
+    if (std::ranges::find(kind.keys, last_name(item.key->path)) != kind.keys.end()) continue;
+    std::vector<std::string> names(kind.keys.begin(), kind.keys.end());
+    throw InputError(item.path,
+                     "is no key of the exhibit \"" + std::string(kind.name) + "\"; it has: " + listed(names));
+  }
+}
+
 void check_picture(const Document& document) {
   const Camera& camera = document.camera;
   if (camera.eye && camera.target) {
@@ -153,10 +166,12 @@ void check_dimension(const std::vector<Item>& items, int dimension) {
       throw InputError(item.path, "is for " + std::to_string(item.key->dimension) + "D only, and " + scene);
     }
     if (item.dimension != 0 && item.dimension != dimension) {
-      throw InputError(item.path, (item.key->kind == Kind::point || item.key->kind == Kind::direction
-                                       ? "must have " + numbers
-                                       : "must have points of " + numbers) +
-                                      ": " + scene);
+      throw InputError(
+          item.path,
+          (item.key->kind == Kind::point || item.key->kind == Kind::direction
+               ? "must have " + numbers
+               : (item.key->kind == Kind::matrix ? "must have rows of " : "must have points of ") + numbers) +
+              ": " + scene);
     }
     if (item.key->kind == Kind::axis && dimension == 2) {
       const auto& axis = std::get<std::vector<double>>(item.value);
@@ -165,7 +180,7 @@ void check_dimension(const std::vector<Item>& items, int dimension) {
   }
 }
 
-void check_consistency(const Document& document) {
+void check_consistency(const std::vector<Item>& items, const Document& document) {
   const sim::Scene& scene = document.scene;
   check_unique(scene.bodies, "body");
   check_unique(scene.probes, "probe");
@@ -173,6 +188,7 @@ void check_consistency(const Document& document) {
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body");
   }
+  check_exhibits(items, document);
   check_picture(document);
 }
 

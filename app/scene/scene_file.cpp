@@ -1,6 +1,7 @@
 #include "app/scene/scene_file.h"
 
 #include "app/mesh/error.h"
+#include "app/mesh/positions.h"
 #include "app/scene/scene_checks.h"
 #include "app/scene/scene_items.h"
 #include "sim/mesh/input_error.h"
@@ -53,6 +54,20 @@ void make_bodies(Document& document, const std::filesystem::path& folder) {
   }
 }
 
+// Where nodes start that a file tells.
+void read_starts(Document& document, const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < document.start_files.size(); ++i) {
+    std::filesystem::path& file = document.start_files[i];
+    if (file.empty()) continue;
+    file = folder / file;
+    try {
+      document.scene.bodies[i].start.nodes = read_positions(file, document.scene.dimension);
+    } catch (const FileError& error) {
+      throw sim::InputError("body." + std::to_string(i) + ".start.file", error.what());
+    }
+  }
+}
+
 void place_bodies(Document& document) {
   for (std::size_t i = 0; i < document.meshes.size(); ++i) {
     try {
@@ -72,7 +87,8 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   make_bodies(document, scene.parent_path());
   check_dimension(items, document.scene.dimension);
   place_bodies(document);
-  check_consistency(document);
+  read_starts(document, scene.parent_path());
+  check_consistency(items, document);
   return document;
 }
 
