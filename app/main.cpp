@@ -5,10 +5,13 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
+#include <string>
 
 #include "app/base/exit_code.h"
 #include "app/command/cli.h"
 #include "app/command/commands.h"
+#include "app/scene/scene_error.h"
 
 namespace {
 
@@ -29,6 +32,11 @@ int main(int argc, char** argv) {
     int exit_code = app::kDone;
     const auto options = app::parse_command_line({argv + 1, argv + argc}, std::cout, std::cerr, exit_code);
     return options ? app::find_command(options->command).run(*options) : exit_code;
+  } catch (const app::SceneError& error) {
+    // All that is wrong with a scene, a line each.
+    std::istringstream lines(error.what());
+    for (std::string line; std::getline(lines, line);) std::cerr << "ritz: " << line << '\n';
+    return app::kBadInput;
   } catch (const std::bad_alloc&) {
     std::cerr << "ritz: out of memory: take a coarser mesh\n";
     return app::kNumericalFailure;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string_view>
 
 namespace render {
 
@@ -21,8 +23,18 @@ class Context {
   virtual int height() const = 0;
 };
 
-// A context without display or graphics card (OSMesa, software). Pictures are drawn into framebuffers of the renderer,
-// so its own buffer is one pixel. Throws std::runtime_error when the machine cannot give OpenGL 3.3 core.
-std::unique_ptr<Context> make_offscreen_context();
+// A way to draw without a window. Pictures are drawn into framebuffers of the renderer, so that the context's own
+// buffer is one pixel or none.
+struct OffscreenKind {
+  std::string_view name;
+  std::unique_ptr<Context> (*make)();  // throws std::runtime_error when the machine cannot give OpenGL 3.3 core
+};
+
+// Those that this program was built with; the first is the default.
+std::span<const OffscreenKind> offscreen_kinds();
+
+// A context of the kind of this name, or of the default one when it is empty. Throws std::invalid_argument for a name
+// that is none of theirs, std::runtime_error when the machine cannot give OpenGL 3.3 core.
+std::unique_ptr<Context> make_offscreen_context(std::string_view kind = {});
 
 }  // namespace render

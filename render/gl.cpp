@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 namespace render {
 
@@ -16,6 +15,11 @@ GladGLContext load_gl(Context& context) {
                              std::to_string(GLAD_VERSION_MINOR(version)));
   }
   return gl;
+}
+
+std::string driver_of(Context& context) {
+  const GLubyte* const name = load_gl(context).GetString(GL_RENDERER);
+  return name == nullptr ? "" : reinterpret_cast<const char*>(name);
 }
 
 GlObject make_buffer(const GladGLContext& gl) {

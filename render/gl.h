@@ -3,6 +3,7 @@
 
 #include <glad/gl.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@ namespace render {
 
 // The GL functions of the context, which is made current. Throws std::runtime_error when it lacks OpenGL 3.3.
 GladGLContext load_gl(Context& context);
+// What draws in the context, in the words of its driver: "llvmpipe (LLVM 15.0.6, 256 bits)".
+std::string driver_of(Context& context);
 
 // Owns one GL name; movable. Deleted through the table, which must outlive it, with the context current.
 class GlObject {

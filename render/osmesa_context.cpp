@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "render/context.h"
+#include "render/offscreen.h"
 
 namespace render {
 namespace {
@@ -49,7 +49,7 @@ class OsmesaContext final : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> make_offscreen_context() {
+std::unique_ptr<Context> make_osmesa_context() {
   return std::make_unique<OsmesaContext>();
 }
 

@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 namespace render {
@@ -13,12 +14,19 @@ namespace {
 // GLFW, for as long as there is a window.
 struct Library {
   Library() {
+#ifdef GLFW_PLATFORM
+    // Since 3.4 GLFW tries Wayland first, whose library writes a line of its own where it is told of no folder to look
+    // in.
+    if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() == GLFW_TRUE) return;
     const char* why = nullptr;
     glfwGetError(&why);
     throw NoDisplay(why != nullptr ? why : "GLFW cannot be initialised");
   }
-  ~Library() { glfwTerminate(); }
+  ~Library() {
+    glfwTerminate();
+  }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 };
@@ -35,6 +43,15 @@ GLFWwindow* open_window(int width, int height, const std::string& title) {
   const char* why = nullptr;
   glfwGetError(&why);
   throw NoDisplay(why != nullptr ? why : "no window with OpenGL 3.3 can be opened");
+}
+
+// Dear ImGui takes places of the mouse as events since 1.87.
+void move_mouse(ImGuiIO& io, ImVec2 place) {
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddMousePosEvent(place.x, place.y);
+#else
+  io.MousePos = place;
+#endif
 }
 
 constexpr std::array<std::pair<int, Key>, 9> known_keys = {{{GLFW_KEY_SPACE, Key::space},
@@ -163,12 +180,14 @@ float Window::scale() const {
 void Window::serve(Gui& gui) {
   gui.use([this] { ImGui_ImplGlfw_InitForOpenGL(parts_->window, true); });
   // The backend counts in pixels of the desktop, everything here in those of the framebuffer.
-  const auto feed = [](int width, int height) {
+  const auto feed = [this](int width, int height) {
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    if (io.DisplaySize.x > 0 && io.DisplaySize.y > 0 && ImGui::IsMousePosValid()) {
-      io.MousePos.x *= static_cast<float>(width) / io.DisplaySize.x;
-      io.MousePos.y *= static_cast<float>(height) / io.DisplaySize.y;
+    const bool here = glfwGetWindowAttrib(parts_->window, GLFW_HOVERED) == GLFW_TRUE || ImGui::IsAnyMouseDown();
+    const bool scaled = io.DisplaySize.x != static_cast<float>(width) || io.DisplaySize.y != static_cast<float>(height);
+    if (io.DisplaySize.x > 0 && io.DisplaySize.y > 0 && here && scaled) {
+      move_mouse(io, {static_cast<float>(parts_->mouse_x) * static_cast<float>(width) / io.DisplaySize.x,
+                      static_cast<float>(parts_->mouse_y) * static_cast<float>(height) / io.DisplaySize.y});
     }
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DisplayFramebufferScale = {1, 1};

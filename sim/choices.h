@@ -7,7 +7,7 @@
 namespace sim {
 
 // How the linear system of a Newton step is solved; `automatic` by size and by counts of iterations.
-enum class LinearSolverKind { cholmod, pcg, pcg_assembled, automatic };
+enum class LinearSolverKind { two_level, cholmod, pcg, pcg_assembled, automatic };
 
 // What negative eigenvalues of a tangent are multiplied by: none 1, clamp 0 [Teran et al. 2005], abs -1 [Chen et al.
 // 2024].
@@ -29,19 +29,22 @@ template <class E>
 inline constexpr std::array<Choice<E>, 0> choices;
 template <>
 inline constexpr auto choices<LinearSolverKind> =
-    std::to_array<Choice<LinearSolverKind>>({{LinearSolverKind::cholmod, "cholmod"},
+    std::to_array<Choice<LinearSolverKind>>({{LinearSolverKind::automatic, "auto"},
+                                             {LinearSolverKind::two_level, "two-level"},
+                                             {LinearSolverKind::cholmod, "cholmod"},
                                              {LinearSolverKind::pcg, "pcg"},
-                                             {LinearSolverKind::pcg_assembled, "pcg-assembled"},
-                                             {LinearSolverKind::automatic, "auto"}});
+                                             {LinearSolverKind::pcg_assembled, "pcg-assembled"}});
 template <>
-inline constexpr auto choices<Definiteness> = std::to_array<Choice<Definiteness>>(
-    {{Definiteness::clamp, "clamp"}, {Definiteness::abs, "abs"}, {Definiteness::none, "none"}});
+inline constexpr auto choices<Definiteness> = std::to_array<Choice<Definiteness>>({{Definiteness::clamp, "clamp"},
+                                                                                   {Definiteness::abs, "abs"},
+                                                                                   {Definiteness::none, "none"}});
 template <>
-inline constexpr auto choices<OnFailure> = std::to_array<Choice<OnFailure>>(
-    {{OnFailure::split, "split"}, {OnFailure::accept, "accept"}, {OnFailure::stop, "stop"}});
+inline constexpr auto choices<OnFailure> = std::to_array<Choice<OnFailure>>({{OnFailure::split, "split"},
+                                                                             {OnFailure::accept, "accept"},
+                                                                             {OnFailure::stop, "stop"}});
 template <>
-inline constexpr auto choices<MassMatrix> = std::to_array<Choice<MassMatrix>>(
-    {{MassMatrix::lumped, "lumped"}, {MassMatrix::consistent, "consistent"}});
+inline constexpr auto choices<MassMatrix> = std::to_array<Choice<MassMatrix>>({{MassMatrix::lumped, "lumped"},
+                                                                               {MassMatrix::consistent, "consistent"}});
 
 template <class E>
 constexpr std::string_view name_of(E value) {

@@ -25,8 +25,8 @@ struct Time {
 
 struct Solver {
   LinearSolverKind linear = LinearSolverKind::automatic;
-  double tolerance = 1e-4;  // body sizes per second: Newton stops when max |dx|/(g h) is below it
-  int max_iterations = 50;  // Newton iterations per stage
+  double tolerance = 1e-4;    // body sizes per second: Newton stops when max |dx|/(g h) is below it
+  int max_iterations = 1000;  // Newton iterations per stage; more are not tried even while they make progress
   Definiteness definiteness = Definiteness::clamp;
   OnFailure on_failure = OnFailure::split;
   int lag_iterations = 0;  // how often damping and friction are evaluated anew at a stage's solution

@@ -6,10 +6,15 @@
 
 namespace sim {
 
-// At which state the factor that the linear solver keeps was made; a resumed run makes the same factor from it again.
+// What a linear solver may hold from one solve to the next: the factor of the matrix, or the coarse level of two.
+enum class Kept { nothing, factor, coarse };
+
+// At which state it was made; a resumed run makes the same from it again.
 struct KeptFactor {
-  std::int64_t valid = 0;            // 0: there is no such factor
-  std::int64_t excess = 0;           // iterations that a new factor would have saved so far
+  std::int64_t what = 0;             // a value of sim::Kept
+  std::int64_t excess = 0;           // iterations that a new one would have saved so far
+  std::int64_t solves = 0;           // that it has served
+  std::int64_t fresh = 0;            // iterations that a solve takes with a coarse level as young as the matrix
   std::int64_t definiteness = 0;     // a value of sim::Definiteness
   double t_begin = 0, t = 0;         // s: start of that step, and of its stage
   double dv_dx = 0, c = 0;           // 1/(g h), 1/(g h)^2
@@ -35,8 +40,10 @@ void for_each_field(S& state, const F& f) {
   f(state.v_before);
   f(state.force);
   auto& k = state.kept;
-  f(k.valid);
+  f(k.what);
   f(k.excess);
+  f(k.solves);
+  f(k.fresh);
   f(k.definiteness);
   f(k.t_begin);
   f(k.t);

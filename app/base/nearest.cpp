@@ -46,4 +46,9 @@ std::string_view nearest(std::string_view given, std::span<const std::string_vie
   return found;
 }
 
+std::string suggestion(std::string_view given, std::span<const std::string_view> names) {
+  const std::string_view meant = nearest(given, names);
+  return meant.empty() ? "" : "; did you mean \"" + std::string(meant) + "\"?";
+}
+
 }  // namespace app

@@ -12,6 +12,9 @@ namespace app {
 // own, so that Ctrl+C does not reach it. Returns an errno value.
 int start_process(std::vector<std::string> words, int input, pid_t& process);
 
+// Whether a program of this name is in a folder of PATH.
+bool is_installed(const std::string& program);
+
 // What waitpid says of its end.
 int wait_for_process(pid_t process);
 

@@ -6,9 +6,13 @@
 #include <thread>
 
 #include "app/base/exit_code.h"
+#include "app/base/shipped.h"
 #include "app/command/cli_options.h"
 #include "app/command/commands.h"
+#include "app/command/manual.h"
 #include "app/command/trade_cli.h"
+#include "app/command/version.h"
+#include "render/context.h"
 
 namespace app {
 namespace {
@@ -39,7 +43,8 @@ void read_size(Options& options, const std::string& text) {
 }
 
 void add_scene_options(CLI::App& command, Options& options) {
-  add_named(command, "SCENE", options.scene, "Scene file (TOML)", "TEXT")->required();
+  add_named(command, "SCENE", options.scene, "Scene file (TOML), or the name of one that `ritz scenes` lists", "TEXT")
+      ->required();
   command
       .add_option_function<std::string>(
           "--set", [&options](const std::string& text) { add_override(options.overrides, text); },
@@ -61,10 +66,11 @@ void add_scene_options(CLI::App& command, Options& options) {
         ->type_name("NUMBER")
         ->trigger_on_parse();
   }
-  command.add_option("--threads", options.threads, "Cores to use; the results do not depend on it")
+  command
+      .add_option("--threads", options.threads,
+                  "Cores to use, all of them when not given; the results do not depend on it")
       ->check(CLI::Range(1, kMostThreads))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   command
       .add_option_function<std::uint64_t>(
           "--seed",
@@ -98,12 +104,22 @@ void add_size_options(CLI::App& command, Options& options, const char* what) {
       ->capture_default_str();
 }
 
+std::vector<std::string> context_names() {
+  std::vector<std::string> names;
+  for (const render::OffscreenKind& kind : render::offscreen_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
 void add_picture_options(CLI::App& command, Options& options) {
   add_size_options(command, options, "Size of a frame in pixels [1280x720]");
   CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
                                  ->check(CLI::Range(1, kMost))
                                  ->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
+  command.add_option("--context", options.context, "What draws without a window, of the kinds that --version lists")
+      ->envname("RITZ_CONTEXT")
+      ->check(CLI::IsMember(context_names()))
+      ->type_name("NAME");
   add_named(command, "--video", options.video, "Make a video with ffmpeg instead of frames: out.mp4 or out.gif",
             "FILE");
   command.add_flag("--panel", options.panel, "Draw the panel of `ritz view` into the frames");
@@ -162,6 +178,14 @@ void add_modes_options(CLI::App& command, Options& options) {
   add_size_options(command, options, "Size of a picture in pixels [1280x720]");
 }
 
+void add_residual_options(CLI::App& command, Options& options) {
+  add_named(command, "PROBLEM", options.problem,
+            "Problem file (TOML); those of assets/lectures/problems when not given", "TEXT");
+  add_named(command, "-o,--out", options.out, "Folder; out/residuals or out/residuals/NAME when not given", "DIR");
+  command.add_flag("--overwrite", options.overwrite, "Replace what an earlier run left in the folder");
+  command.add_flag("--anyway", options.anyway, "Use Ritz's method where L is not self-adjoint, too");
+}
+
 void add_window_options(CLI::App& command, Options& options) {
   add_size_options(command, options, "Size of the window in pixels [1280x720]");
   add_named(command, "--log", options.log, "Write every input with its step, for ritz record --replay", "FILE");
@@ -177,7 +201,12 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   Options options;
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CLI::App app("Animates elastic bodies by the finite element method and draws them without a display.", "ritz");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", version_text,
+                       "Version, commit, compiler, what draws and the instructions of the processor that are used");
+  bool manual = false, completion = false;
+  app.add_flag("--manual", manual, "Print the manual page, for man");
+  app.add_flag("--completion", completion, "Print the completion for bash");
   app.footer(
       "ritz COMMAND --help lists the options of a command. Exit codes: 0 done, 2 bad input,\n"
       "3 numerical failure, 4 frames differ from --expect, 130 interrupted.");
@@ -194,21 +223,34 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   add_trade_output_options(command("trade"), options);
   add_trade_options(command("trade"), options.trade);
   add_stress_options(command("stress"), options);
+  add_residual_options(command("residuals"), options);
   CLI::App& explain = command("explain");
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
   explain.get_option("SCENE")->required(false);
   explain.get_option("SCENE")->excludes(keys);
+  command("scenes").add_flag("--names", options.names, "Print the names only");
 
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);
     if (explain.parsed() && !options.keys && options.scene.empty()) throw CLI::RequiredError("SCENE");
+    if (manual || completion) {
+      out << (manual ? manual_page(app) : bash_completion(app));
+      exit_code = kDone;
+      return std::nullopt;
+    }
   } catch (const CLI::ParseError& error) {
     exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
     return std::nullopt;
   }
+  if (app.get_subcommands().empty()) {
+    out << app.help();
+    exit_code = kBadInput;  // a script whose command is an empty variable is not to go on
+    return std::nullopt;
+  }
   options.command = app.get_subcommands().front()->get_name();
+  options.scene = find_scene(options.scene);
   return options;
 }
 

@@ -15,6 +15,8 @@ std::span<const Command> commands() {
       {"trade", "Speed against accuracy, measured: table, plot, advice", trade},
       {"modes", "Vibration modes of the bodies and their frequencies, drawn", modes},
       {"stress", "Stability at the extremes, measured: table and CSV", stress},
+      {"residuals", "The weighted residual methods of the lecture, side by side: table, CSV, diagrams", residuals},
+      {"scenes", "The scenes that come with it, by the names that every command takes", scenes},
   };
   return table;
 }

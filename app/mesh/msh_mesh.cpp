@@ -47,7 +47,7 @@ Eigen::MatrixXi body_elements(const MshContents& contents, const MshType& type) 
   const auto count = static_cast<Eigen::Index>(nodes.size()) / type.nodes;
   Eigen::MatrixXi elements = Eigen::Map<const Eigen::MatrixXi>(nodes.data(), type.nodes, count);
   const std::span<const int> order = type.element->gmsh_order;
-  return order.empty() ? elements : Eigen::MatrixXi(elements(order, Eigen::all));
+  return order.empty() ? elements : Eigen::MatrixXi(elements(order, Eigen::indexing::all));
 }
 
 // The groups of each element of the body.

@@ -33,6 +33,7 @@ struct Options {
   int width = 1280, height = 720;   // of a frame, pixels
   int every = 1;                    // draw frames 0, n, 2n, ...
   bool still = false;               // draw the last frame only
+  std::string context;              // record: a kind in render/context.h that draws; empty: the default
   int samples = 4;                  // per pixel: 1, 2, 4 or 8
   std::filesystem::path expect;     // folder of stored frames to compare with; empty: none
   int expect_difference = 8;        // of a channel, 0 to 255: up to it pixels count as equal
@@ -46,7 +47,10 @@ struct Options {
   std::vector<std::filesystem::path> deck;  // view: the pages, of which `scene` is the first
   std::filesystem::path log;        // view: where the session is written; empty: nowhere
   int count = 6;                    // modes: of each body
+  bool names = false;               // scenes: print their names only
   bool keys = false;                // explain: print the reference of the keys, no scene
+  std::filesystem::path problem;    // residuals: the problem file; empty: those that come with the program
+  bool anyway = false;              // residuals: Ritz's method where L is not self-adjoint too
   TradeOptions trade;
 };
 

@@ -24,8 +24,10 @@ FrameSize::FrameSize(const Options& options)
       panel(options.panel ? Panel::width(options.width, options.height) : 0),
       samples(options.samples) {}
 
-FrameRenderer::FrameRenderer(const FrameSize& size)
-    : size_(size), renderer_(*context_, size.width - size.panel, size.height, size.samples) {
+FrameRenderer::FrameRenderer(const FrameSize& size, const std::string& context)
+    : size_(size),
+      context_(render::make_offscreen_context(context)),
+      renderer_(*context_, size.width - size.panel, size.height, size.samples) {
   if (size.panel > 0) gui_.emplace(*context_, Panel::text_size(size.width, size.height));
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/options/options.h"
@@ -31,13 +32,16 @@ struct FrameSize {
 // Owns its GL context: made and used in one thread.
 class FrameRenderer {
  public:
-  explicit FrameRenderer(const FrameSize& size);
+  // context: the name of a kind in render/context.h; empty: the default one.
+  FrameRenderer(const FrameSize& size, const std::string& context);
   // samples: of the panel's plots.
   render::Image draw(const ShownScene& shown, const Moment& moment, const std::vector<Sample>& samples);
+  // What draws here, in the words of its driver.
+  std::string driver() const { return render::driver_of(*context_); }
 
  private:
   FrameSize size_;  // in the order of their making
-  std::unique_ptr<render::Context> context_ = render::make_offscreen_context();
+  std::unique_ptr<render::Context> context_;
   render::Renderer renderer_;
   std::optional<render::Gui> gui_;
   Panel panel_;

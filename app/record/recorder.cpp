@@ -7,6 +7,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/base/output_file.h"
+#include "app/base/process.h"
 #include "app/base/stopwatch.h"
 #include "render/png.h"
 
@@ -46,6 +47,10 @@ FrameSize frame_size(const Options& options, const RunFolder& folder) {
                            "; add --size " + stored);
 }
 
+std::string context_name(const Options& options) {
+  return options.context.empty() ? std::string(render::offscreen_kinds().front().name) : options.context;
+}
+
 }  // namespace
 
 Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder& folder, const Options& options)
@@ -57,6 +62,8 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
       expectation_(options.expect.empty() ? std::nullopt : std::optional<Expectation>(std::in_place, options, folder)),
       video_(make_video(*simulation, options)),
       shown_(make_shown(std::move(simulation), {})),
+      drawn_by_{context_name(options), ""},
+      cores_(share_cores(*shown_->simulation, options)),
       stages_([this] { return make_draw(); }, [this](const Drawn& drawn) { write(drawn); }) {
   if (!video_) make_folder(folder_.frames());
 }
@@ -102,8 +109,11 @@ FrameSeconds Recorder::seconds() const {
   return {stages_.drawing_seconds(), stages_.writing_seconds(), waiting_};
 }
 
-Recorder::Stages::Draw Recorder::make_draw() const {
-  return [this, renderer = std::make_shared<FrameRenderer>(size_)](Job job) {
+Recorder::Stages::Draw Recorder::make_draw() {
+  give_to_rasteriser(cores_.drawing);
+  const auto renderer = std::make_shared<FrameRenderer>(size_, drawn_by_.context);
+  drawn_by_.driver = renderer->driver();
+  return [this, renderer](Job job) {
     Drawn drawn{job.moment.frame, std::nullopt, std::move(job.checkpoint)};
     if (job.draw) drawn.image = renderer->draw(*job.shown, job.moment, job.samples);
     return drawn;
@@ -120,10 +130,18 @@ void Recorder::write(const Drawn& drawn) {
   if (!drawn.checkpoint.empty()) write_atomically(folder_.state(), drawn.checkpoint, true);
 }
 
+std::string Recorder::video_command_to(const std::filesystem::path& file) const {
+  return video_command(folder_.frames(), file, shown_->simulation->document.scene.time.fps, every_);
+}
+
 int judged(int code, const Recorder& recorder, const RunFolder& folder, const Options& options) {
   if (!options.quiet) {
     const std::filesystem::path place = options.video.empty() ? folder.frames() : options.video;
     std::cerr << recorder.frames_drawn() << " frames in " << place.string() << '\n';
+    if (options.video.empty() && recorder.frames_drawn() > 1 && is_installed("ffmpeg")) {
+      const std::filesystem::path video = folder.path() / options.scene.filename().replace_extension(".mp4");
+      std::cerr << "a video of them: " << recorder.video_command_to(video) << '\n';
+    }
   }
   const std::optional<Expectation>& expectation = recorder.expectation();
   if (code != kDone || !expectation) return code;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/options/options.h"
+#include "app/record/cores.h"
 #include "app/record/expectation.h"
 #include "app/record/frame_renderer.h"
 #include "app/record/pipeline.h"
@@ -27,9 +28,13 @@ class Recorder : public FrameSink {
   void add(Moment moment, std::string checkpoint) override;
   void finish() override;
   FrameSeconds seconds() const override;
+  DrawnBy drawn_by() const override { return drawn_by_; }
+  int cores_for_steps() const override { return cores_.stepping; }
   // From the next frame on: the scene as it has become, with values that wait for a restart.
   void show(std::shared_ptr<const Simulation> simulation, std::vector<Override> waiting);
   int frames_drawn() const { return frames_drawn_; }
+  // What to type to make a video of the frames that were written, in `file`.
+  std::string video_command_to(const std::filesystem::path& file) const;
   // How the frames compare with those of --expect; none without it. To be asked after finish().
   const std::optional<Expectation>& expectation() const { return expectation_; }
 
@@ -51,7 +56,7 @@ class Recorder : public FrameSink {
   bool is_drawn(std::int64_t frame) const;
   std::shared_ptr<const ShownScene> make_shown(std::shared_ptr<const Simulation> simulation,
                                                std::vector<Override> waiting) const;
-  Stages::Draw make_draw() const;
+  Stages::Draw make_draw();
   void write(const Drawn& drawn);
 
   const RunFolder& folder_;
@@ -65,6 +70,8 @@ class Recorder : public FrameSink {
   std::optional<Expectation> expectation_;
   std::unique_ptr<Video> video_;
   std::shared_ptr<const ShownScene> shown_;
+  DrawnBy drawn_by_;
+  Cores cores_;
   Stages stages_;  // last: its threads use all of the above
 };
 

@@ -142,7 +142,7 @@ int replay(const Options& options) {
   outcome.total = watch.seconds();
   write_atomically(folder.session(), read_contents(options.replay), false);
   write_state_file(folder.state(), outcome.run);
-  write_atomically(folder.run_json(), run_json(last, used, folder, outcome, recorder.seconds()), true);
+  write_atomically(folder.run_json(), run_json(last, used, folder, outcome, recorder), true);
   compare(file, outcome);
   if (outcome.status == Status::interrupted) {
     std::cerr << "ritz: interrupted after step " << session.steps() << " of " << file.steps << '\n';

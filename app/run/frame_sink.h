@@ -12,6 +12,11 @@ struct FrameSeconds {
   double drawing = 0, writing = 0, waiting = 0;
 };
 
+// What drew: the kind of context and its driver; empty where nothing is drawn.
+struct DrawnBy {
+  std::string context, driver;
+};
+
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
@@ -21,6 +26,9 @@ class FrameSink {
   // Returns when everything is written; throws when something could not be.
   virtual void finish() = 0;
   virtual FrameSeconds seconds() const = 0;
+  virtual DrawnBy drawn_by() const = 0;
+  // How many cores are left for steps while frames are made.
+  virtual int cores_for_steps() const = 0;
 };
 
 }  // namespace app

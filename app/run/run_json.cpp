@@ -93,6 +93,13 @@ void put_work(Json& json, const Simulation& simulation, const Outcome& outcome) 
   json.member("inverted_elements", outcome.inverted).member("no_memory_for_factor", outcome.no_factor);
 }
 
+void put_drawn_by(Json& json, const DrawnBy& drawn_by) {
+  if (drawn_by.context.empty()) return;
+  json.key("drawn_by").open_object();
+  json.member("context", drawn_by.context).member("driver", drawn_by.driver);
+  json.close_object();
+}
+
 // Of this process: a run that was resumed does not know the seconds before.
 void put_seconds(Json& json, const Simulation& simulation, const Outcome& outcome, const FrameSeconds& frames) {
   json.key("seconds").open_object();
@@ -106,7 +113,7 @@ void put_seconds(Json& json, const Simulation& simulation, const Outcome& outcom
 }  // namespace
 
 std::string run_json(const Simulation& simulation, const Options& options, const RunFolder& folder,
-                     const Outcome& outcome, const FrameSeconds& frames) {
+                     const Outcome& outcome, const FrameSink& frames) {
   Json json;
   json.open_object();
   json.member("program", "ritz").member("version", kVersion);
@@ -116,7 +123,8 @@ std::string run_json(const Simulation& simulation, const Options& options, const
   put_system(json, *simulation.system);
   put_remarks(json, simulation);
   put_work(json, simulation, outcome);
-  put_seconds(json, simulation, outcome, frames);
+  put_drawn_by(json, frames.drawn_by());
+  put_seconds(json, simulation, outcome, frames.seconds());
   json.member("peak_memory_bytes", peak_memory_bytes());
   json.member("state_hash", hexadecimal(sim::hash(outcome.run.state)));
   json.close_object();

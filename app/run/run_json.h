@@ -12,6 +12,6 @@
 namespace app {
 
 std::string run_json(const Simulation& simulation, const Options& options, const RunFolder& folder,
-                     const Outcome& outcome, const FrameSeconds& frames);
+                     const Outcome& outcome, const FrameSink& frames);
 
 }  // namespace app

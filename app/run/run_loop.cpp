@@ -34,7 +34,7 @@ class Runner {
         folder_(folder),
         sink_(sink),
         outcome_(outcome),
-        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, options.threads))),
+        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, sink.cores_for_steps()))),
         log_(system_, simulation.document.scene.probes, folder,
              start.resumed ? std::optional(start.run.state.step) : std::nullopt),
         history_(simulation, start.resumed ? read_energies(folder.steps(), system_, start.run.state.step)
@@ -150,7 +150,7 @@ Outcome run_loop(const Simulation& simulation, const Options& options, const Run
   if (start.resumed) outcome.resumed_step = start.run.state.step;
   const auto write_json = [&] {
     outcome.total = simulation.build_seconds + watch.seconds();
-    write_atomically(folder.run_json(), run_json(simulation, options, folder, outcome, sink.seconds()), true);
+    write_atomically(folder.run_json(), run_json(simulation, options, folder, outcome, sink), true);
   };
   write_json();
   write_atomically(folder.scene(), scene_toml(simulation.document, folder.path()), false);

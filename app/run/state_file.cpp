@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr std::string_view kMagic = "RITZSTAT";
-constexpr std::uint32_t kFormat = 3;
+constexpr std::uint32_t kFormat = 4;
 constexpr std::size_t kChecksumBytes = 8;
 
 template <typename Unsigned>
@@ -96,15 +96,16 @@ void take_field(Reader& reader, double& value) {
 }
 
 bool plausible(const sim::State& state) {
-  bool good = state.step >= 0 && state.v.size() == state.x.size() && std::abs(state.kept.definiteness) <= 1;
+  bool good = state.step >= 0 && state.v.size() == state.x.size() && std::abs(state.kept.definiteness) <= 1 &&
+              state.kept.what >= 0 && state.kept.what <= static_cast<int>(sim::Kept::coarse);
   for_each_field(state, [&](const auto& field) {
     if constexpr (requires { field.allFinite(); })
       good = good && field.allFinite() && (field.size() == 0 || field.size() == state.x.size());
     else
       good = good && std::isfinite(static_cast<double>(field));
   });
-  // A factor that is held was made somewhere.
-  return good && (state.kept.valid == 0 ||
+  // What is held was made somewhere.
+  return good && (state.kept.what == 0 ||
                   (state.kept.x.size() == state.x.size() && state.kept.v.size() == state.x.size() &&
                    state.kept.x_begin.size() == state.x.size() && state.kept.v_begin.size() == state.x.size()));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/base/nearest.h"
 #include "app/scene/caption_names.h"
 #include "app/scene/exhibits.h"
 #include "sim/mesh/input_error.h"
@@ -12,27 +13,25 @@
 namespace app {
 namespace {
 
-using sim::InputError;
-
 std::string key_path(std::string_view table, std::string_view name) {
   return table.empty() ? std::string(name) : std::string(table) + "." + std::string(name);
 }
 
 bool given(const Places& places, const std::string& path, const Key& key) {
-  return places.contains(key.kind == Kind::list ? path + ".0" : path);
+  return places.contains(path) || (key.kind == Kind::list && places.contains(path + ".0"));
 }
 
 // `table` is the path of a table that is present, `pattern` its pattern.
-void check_required(std::string_view table, std::string_view pattern, const Places& places) {
+void check_required(std::string_view table, std::string_view pattern, const Places& places, Mistakes& mistakes) {
   for (const Key& key : keys()) {
     const std::string path = key_path(table, last_name(key.path));
     if (!key.required || parent(key.path) != pattern || given(places, path, key)) continue;
-    throw InputError(std::string(table),
-                     "'" + std::string(last_name(key.path)) + "' is missing: " + std::string(key.meaning));
+    mistakes.refuse(std::string(table),
+                    "'" + std::string(last_name(key.path)) + "' is missing: " + std::string(key.meaning));
   }
 }
 
-void check_alternatives(const Item& item, const Places& places) {
+void check_alternatives(const Item& item, const Places& places, Mistakes& mistakes) {
   for (const Alternatives& group : alternatives()) {
     if (item.key->path != group.table) continue;
     std::string names;
@@ -42,62 +41,65 @@ void check_alternatives(const Item& item, const Places& places) {
       if (places.contains(key_path(item.path, name))) ++count;
     }
     if (count > 1 || (count == 0 && group.required)) {
-      throw InputError(item.path, (group.required ? "must have exactly one of " : "can have only one of ") + names);
+      mistakes.refuse(item.path, (group.required ? "must have exactly one of " : "can have only one of ") + names);
     }
   }
 }
 
 // Entries of a list are numbered without a gap.
-void check_position(const Item& item, const Places& places) {
+void check_position(const Item& item, const Places& places, Mistakes& mistakes) {
   if (item.key->kind != Kind::list || std::get<std::int64_t>(item.value) == 0) return;
   const std::string before = key_path(parent(item.path), std::to_string(std::get<std::int64_t>(item.value) - 1));
-  if (!places.contains(before)) throw InputError(item.path, "there is no " + before + " that it could follow");
+  if (!places.contains(before)) mistakes.refuse(item.path, "there is no " + before + " that it could follow");
 }
 
 // `list` is the pattern of a list of names, as in "body[].name".
 template <class List>
-void check_unique(const List& list, const std::string& path) {
+void check_unique(const List& list, const std::string& path, Mistakes& mistakes) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!seen.insert(list[i].name).second) {
-      throw InputError(path + "." + std::to_string(i) + ".name", "is the name of another one already");
-    }
+    if (seen.insert(list[i].name).second) continue;
+    mistakes.refuse(path + "." + std::to_string(i) + ".name", "is the name of another one already");
   }
 }
 
-void check_group(const sim::Mesh& mesh, const std::string& name, const std::string& path) {
+void check_group(const sim::Mesh& mesh, const std::string& name, const std::string& path, Mistakes& mistakes) {
   try {
     sim::find_group(mesh, name);
-  } catch (const InputError& error) {
-    throw InputError(path, error.what());
+  } catch (const sim::InputError& error) {
+    std::vector<std::string_view> names;
+    for (const sim::Group& group : mesh.groups) names.push_back(group.name);
+    mistakes.refuse(path, error.what() + suggestion(name, names));
   }
 }
 
-void check_region(const sim::Mesh& mesh, const sim::Region& region, const std::string& path) {
-  if (const auto* group = std::get_if<sim::InGroup>(&region)) check_group(mesh, group->name, path + ".group");
+void check_region(const sim::Mesh& mesh, const sim::Region& region, const std::string& path, Mistakes& mistakes) {
+  if (const auto* group = std::get_if<sim::InGroup>(&region)) {
+    check_group(mesh, group->name, path + ".group", mistakes);
+  }
 }
 
 // `path` is the list of keyframes.
 template <class List>
-void check_times(const List& keyframes, const std::string& path) {
+void check_times(const List& keyframes, const std::string& path, Mistakes& mistakes) {
   for (std::size_t i = 1; i < keyframes.size(); ++i) {
     if (keyframes[i].t <= keyframes[i - 1].t) {
-      throw InputError(path + "." + std::to_string(i) + ".0", "must be later than the pose before it");
+      mistakes.refuse(path + "." + std::to_string(i) + ".0", "must be later than the pose before it");
     }
   }
 }
 
-void check_body(const sim::Body& body, const std::string& path) {
+void check_body(const sim::Body& body, const std::string& path, Mistakes& mistakes) {
   for (std::size_t i = 0; i < body.pins.size(); ++i) {
     const std::string pin = path + ".pin." + std::to_string(i);
-    check_region(body.mesh, body.pins[i].where, pin);
-    check_times(body.pins[i].motion, pin + ".motion.keyframes");
+    check_region(body.mesh, body.pins[i].where, pin, mistakes);
+    check_times(body.pins[i].motion, pin + ".motion.keyframes", mistakes);
   }
   for (std::size_t i = 0; i < body.tractions.size(); ++i) {
-    check_region(body.mesh, body.tractions[i].where, path + ".traction." + std::to_string(i));
+    check_region(body.mesh, body.tractions[i].where, path + ".traction." + std::to_string(i), mistakes);
   }
   for (std::size_t i = 1; i < body.materials.size(); ++i) {
-    check_group(body.mesh, body.materials[i].group, path + ".region." + std::to_string(i - 1) + ".group");
+    check_group(body.mesh, body.materials[i].group, path + ".region." + std::to_string(i - 1) + ".group", mistakes);
   }
 }
 
@@ -107,89 +109,97 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-void check_body_name(const sim::Scene& scene, const std::string& name, const std::string& path) {
+void check_body_name(const sim::Scene& scene, const std::string& name, const std::string& path, Mistakes& mistakes) {
+  if (scene.bodies.empty()) return;  // refused already
   if (std::ranges::find(scene.bodies, name, &sim::Body::name) != scene.bodies.end()) return;
   std::vector<std::string> names;
   for (const sim::Body& body : scene.bodies) names.push_back(body.name);
-  throw InputError(path, "there is no such body; there are: " + listed(names));
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  mistakes.refuse(path, "there is no such body; there are: " + listed(names) + suggestion(name, views));
 }
 
 // A kind has its own keys among those of all exhibits.
-void check_exhibits(const std::vector<Item>& items, const Document& document) {
+void check_exhibits(const std::vector<Item>& items, const Document& document, Mistakes& mistakes) {
   for (const Item& item : items) {
     if (parent(item.key->path) != "exhibit[]" || last_name(item.key->path) == "kind") continue;
-    const ExhibitKind& kind = *find_exhibit_kind(document.exhibits[static_cast<std::size_t>(item.indices[0])].kind);
-    if (std::ranges::find(kind.keys, last_name(item.key->path)) != kind.keys.end()) continue;
-    std::vector<std::string> names(kind.keys.begin(), kind.keys.end());
-    throw InputError(item.path,
-                     "is no key of the exhibit \"" + std::string(kind.name) + "\"; it has: " + listed(names));
+    const ExhibitKind* kind = find_exhibit_kind(document.exhibits[static_cast<std::size_t>(item.indices[0])].kind);
+    if (kind == nullptr || std::ranges::find(kind->keys, last_name(item.key->path)) != kind->keys.end()) continue;
+    const std::vector<std::string> names(kind->keys.begin(), kind->keys.end());
+    mistakes.refuse(item.path,
+                    "is no key of the exhibit \"" + std::string(kind->name) + "\"; it has: " + listed(names));
   }
 }
 
-void check_picture(const Document& document) {
+void check_picture(const Document& document, Mistakes& mistakes) {
   const Camera& camera = document.camera;
   if (camera.eye && camera.target) {
     const Vec3 view = *camera.target - *camera.eye;
-    if (view.norm() == 0) throw InputError("camera.target", "must differ from camera.eye");
-    if (view.normalized().cross(camera.up).norm() < 1e-6) {
-      throw InputError("camera.up", "must not lie along the line from camera.eye to camera.target");
+    if (view.norm() == 0) {
+      mistakes.refuse("camera.target", "must differ from camera.eye");
+    } else if (view.normalized().cross(camera.up).norm() < 1e-6) {
+      mistakes.refuse("camera.up", "must not lie along the line from camera.eye to camera.target");
     }
   }
-  if (!camera.follow.empty()) check_body_name(document.scene, camera.follow, "camera.follow");
-  check_times(camera.keyframes, "camera.keyframes");
+  if (!camera.follow.empty()) check_body_name(document.scene, camera.follow, "camera.follow", mistakes);
+  check_times(camera.keyframes, "camera.keyframes", mistakes);
   for (const std::string& name : caption_names(document.look.caption)) {
     if (find_caption_value(name)) continue;
-    throw InputError("look.caption", "{" + name + "} is not known; known are " + listed(known_caption_names()));
+    const std::vector<std::string> known = known_caption_names();
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    mistakes.refuse("look.caption",
+                    "{" + name + "} is not known; known are " + listed(known) + suggestion(name, views));
   }
   if (document.look.range && (*document.look.range)[0] >= (*document.look.range)[1]) {
-    throw InputError("look.range", "must be [low, high] with low < high");
+    mistakes.refuse("look.range", "must be [low, high] with low < high");
   }
 }
 
 }  // namespace
 
-void check_presence(const std::vector<Item>& items, const Places& places) {
-  check_required("", "", places);
+void check_presence(const std::vector<Item>& items, const Places& places, Mistakes& mistakes) {
+  check_required("", "", places, mistakes);
   for (const Item& item : items) {
     if (item.key->kind != Kind::table && item.key->kind != Kind::list) continue;
-    check_position(item, places);
-    check_required(item.path, item.key->path, places);
-    check_alternatives(item, places);
+    check_position(item, places, mistakes);
+    check_required(item.path, item.key->path, places, mistakes);
+    check_alternatives(item, places, mistakes);
   }
 }
 
-void check_dimension(const std::vector<Item>& items, int dimension) {
+void check_dimension(const std::vector<Item>& items, int dimension, Mistakes& mistakes) {
   const std::string numbers = std::to_string(dimension) + " numbers";
   const std::string scene = dimension == 2 ? "the scene is 2D, as all its meshes are" : "the scene is 3D";
   for (const Item& item : items) {
     if (item.key->dimension != 0 && item.key->dimension != dimension) {
-      throw InputError(item.path, "is for " + std::to_string(item.key->dimension) + "D only, and " + scene);
+      mistakes.refuse(item.path, "is for " + std::to_string(item.key->dimension) + "D only, and " + scene);
     }
     if (item.dimension != 0 && item.dimension != dimension) {
-      throw InputError(
-          item.path,
-          (item.key->kind == Kind::point || item.key->kind == Kind::direction
-               ? "must have " + numbers
-               : (item.key->kind == Kind::matrix ? "must have rows of " : "must have points of ") + numbers) +
-              ": " + scene);
+      const bool one = item.key->kind == Kind::point || item.key->kind == Kind::direction;
+      const bool rows = item.key->kind == Kind::matrix;
+      mistakes.refuse(item.path, (one    ? "must have " + numbers
+                                  : rows ? "must have rows of " + numbers
+                                         : "must have points of " + numbers) +
+                                     ": " + scene);
     }
     if (item.key->kind == Kind::axis && dimension == 2) {
       const auto& axis = std::get<std::vector<double>>(item.value);
-      if (axis[0] != 0 || axis[1] != 0) throw InputError(item.path, "must be along [0, 0, 1]: " + scene);
+      if (axis[0] != 0 || axis[1] != 0) mistakes.refuse(item.path, "must be along [0, 0, 1]: " + scene);
     }
   }
 }
 
-void check_consistency(const std::vector<Item>& items, const Document& document) {
+void check_consistency(const std::vector<Item>& items, const Document& document, Mistakes& mistakes) {
   const sim::Scene& scene = document.scene;
-  check_unique(scene.bodies, "body");
-  check_unique(scene.probes, "probe");
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_body(scene.bodies[i], "body." + std::to_string(i));
-  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body");
+  check_unique(scene.bodies, "body", mistakes);
+  check_unique(scene.probes, "probe", mistakes);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    check_body(scene.bodies[i], "body." + std::to_string(i), mistakes);
   }
-  check_exhibits(items, document);
-  check_picture(document);
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body", mistakes);
+  }
+  check_exhibits(items, document, mistakes);
+  check_picture(document, mistakes);
 }
 
 }  // namespace app

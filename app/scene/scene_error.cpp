@@ -14,7 +14,7 @@ std::string_view known(std::string_view path, const Places& places) {
 
 }  // namespace
 
-SceneError located(const sim::InputError& error, const Places& places) {
+Mistake located(const sim::InputError& error, const Places& places) {
   Indices indices = {};
   const std::string_view path = known(error.key, places);
   const auto found = places.find(path);
@@ -27,7 +27,7 @@ SceneError located(const sim::InputError& error, const Places& places) {
     message.append(message.empty() ? "" : ": ").append(shown);
     if (shown == path && !place.text.empty()) message += " = " + place.text;
   }
-  return SceneError(message + (message.empty() ? "" : ": ") + error.what());
+  return {error.key, place, message + (message.empty() ? "" : ": ") + error.what()};
 }
 
 }  // namespace app

@@ -20,10 +20,18 @@ struct SceneError : std::runtime_error {
 struct Place {
   std::string where;  // "scene.toml:12", "--set time.fps=30"
   std::string text;
+  int line = 0, column = 0;  // in a file, from 1; else 0
 };
 using Places = std::map<std::string, Place, std::less<>>;  // by path: "body.0.material.young"; "" is the whole scene
 
+// What is wrong with one key: the message as of SceneError.
+struct Mistake {
+  std::string path;  // of the key that was refused, or that was meant by one that is not known
+  Place place;
+  std::string message;
+};
+
 // What was refused, with the place of the key at fault (or of the nearest table around it).
-SceneError located(const sim::InputError& error, const Places& places);
+Mistake located(const sim::InputError& error, const Places& places);
 
 }  // namespace app

@@ -1,5 +1,7 @@
 #include "app/scene/scene_file.h"
 
+#include <algorithm>
+
 #include "app/mesh/error.h"
 #include "app/mesh/positions.h"
 #include "app/scene/scene_checks.h"
@@ -32,7 +34,19 @@ void choose_substeps(sim::Time& time, const Places& places) {
   if (sim::find_scheme(time.integrator)->is_explicit()) time.substeps = 0;
 }
 
-void make_bodies(Document& document, const std::filesystem::path& folder) {
+// `path` is that of the body.
+void make_body(MeshSpec& spec, const std::string& path, sim::Body& body, std::vector<std::string>& remarks) {
+  try {
+    body.mesh = make_mesh(spec, remarks);
+  } catch (const sim::InputError& error) {
+    throw sim::InputError(path + "." + error.key, error.what());
+  } catch (const FileError& error) {
+    throw sim::InputError(path + ".mesh.file", error.what());
+  }
+}
+
+// A body that something is wrong with gets no mesh, and neither does one that only stands in a gap of the list.
+void make_bodies(Document& document, const std::filesystem::path& folder, const Places& places, Mistakes& mistakes) {
   sim::Scene& scene = document.scene;
   scene.dimension = 2;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -40,78 +54,95 @@ void make_bodies(Document& document, const std::filesystem::path& folder) {
     sim::Body& body = scene.bodies[i];
     MeshSpec& spec = document.meshes[i];
     if (body.name.empty()) body.name = "body" + std::to_string(i);
+    if (mistakes.in_part_of(path) || !places.contains(path)) continue;
     if (spec.source == MeshSource::file) spec.file = folder / spec.file;
     std::vector<std::string> remarks;
-    try {
-      body.mesh = make_mesh(spec, remarks);
-    } catch (const sim::InputError& error) {
-      throw sim::InputError(path + "." + error.key, error.what());
-    } catch (const FileError& error) {
-      throw sim::InputError(path + ".mesh.file", error.what());
-    }
+    mistakes.collect([&] { make_body(spec, path, body, remarks); });
     for (const std::string& remark : remarks) document.remarks.push_back(body.name + ": " + remark);
     if (body.mesh.dimension() == 3) scene.dimension = 3;
   }
 }
 
 // Where nodes start that a file tells.
-void read_starts(Document& document, const std::filesystem::path& folder) {
+void read_start(std::filesystem::path& file, const std::filesystem::path& folder, int dimension, const std::string& path,
+                sim::Start& start) {
+  if (file.empty()) return;
+  file = folder / file;
+  try {
+    start.nodes = read_positions(file, dimension);
+  } catch (const FileError& error) {
+    throw sim::InputError(path + ".start.file", error.what());
+  }
+}
+
+void read_starts(Document& document, const std::filesystem::path& folder, Mistakes& mistakes) {
   for (std::size_t i = 0; i < document.start_files.size(); ++i) {
-    std::filesystem::path& file = document.start_files[i];
-    if (file.empty()) continue;
-    file = folder / file;
-    try {
-      document.scene.bodies[i].start.nodes = read_positions(file, document.scene.dimension);
-    } catch (const FileError& error) {
-      throw sim::InputError("body." + std::to_string(i) + ".start.file", error.what());
-    }
+    mistakes.collect([&] {
+      read_start(document.start_files[i], folder, document.scene.dimension, "body." + std::to_string(i),
+                 document.scene.bodies[i].start);
+    });
   }
 }
 
-void place_bodies(Document& document) {
+void place_body(const MeshSpec& spec, int dimension, const std::string& path, sim::Mesh& mesh) {
+  try {
+    place_mesh(spec, dimension, mesh);
+  } catch (const sim::InputError& error) {
+    throw sim::InputError(path + "." + error.key, error.what());
+  }
+}
+
+void place_bodies(Document& document, Mistakes& mistakes) {
   for (std::size_t i = 0; i < document.meshes.size(); ++i) {
-    try {
-      place_mesh(document.meshes[i], document.scene.dimension, document.scene.bodies[i].mesh);
-    } catch (const sim::InputError& error) {
-      throw sim::InputError("body." + std::to_string(i) + "." + error.key, error.what());
-    }
+    const std::string path = "body." + std::to_string(i);
+    if (mistakes.in_part_of(path)) continue;
+    mistakes.collect(
+        [&] { place_body(document.meshes[i], document.scene.dimension, path, document.scene.bodies[i].mesh); });
   }
 }
 
-Document make_document(const std::vector<Item>& items, const std::filesystem::path& scene, Places& places) {
+// Whether every body has its mesh, so that the dimension of the scene is known.
+bool all_are_made(const sim::Scene& scene) {
+  return !scene.bodies.empty() &&
+         std::ranges::none_of(scene.bodies, [](const sim::Body& body) { return body.mesh.element_count() == 0; });
+}
+
+Document make_document(const std::vector<Item>& items, const std::filesystem::path& scene, const Places& places,
+                       Mistakes& mistakes) {
   Document document;
-  for (const Item& item : items) places.emplace(item.path, item.place);
-  check_presence(items, places);
+  check_presence(items, places, mistakes);
   apply(items, document);
   choose_substeps(document.scene.time, places);
-  make_bodies(document, scene.parent_path());
-  check_dimension(items, document.scene.dimension);
-  place_bodies(document);
-  read_starts(document, scene.parent_path());
-  check_consistency(items, document);
+  mistakes.next_stage();
+  make_bodies(document, scene.parent_path(), places, mistakes);
+  mistakes.next_stage();
+  const bool made = all_are_made(document.scene);
+  if (made) check_dimension(items, document.scene.dimension, mistakes);
+  mistakes.next_stage();
+  if (made) place_bodies(document, mistakes);
+  if (made) read_starts(document, scene.parent_path(), mistakes);
+  check_consistency(items, document, mistakes);
   return document;
 }
 
 }  // namespace
 
-std::vector<Item> read_scene(const std::filesystem::path& scene, const std::filesystem::path& settings) {
-  std::vector<Item> items;
-  lay_over(items, read_layer(scene));
-  if (!settings.empty()) lay_over(items, read_layer(settings));
-  return items;
+Layer read_scene(const std::filesystem::path& scene, const std::filesystem::path& settings) {
+  Layer layer = read_layer(scene);
+  if (!settings.empty()) lay_over(layer, read_layer(settings));
+  return layer;
 }
 
-Document load_scene(std::vector<Item> items, const std::filesystem::path& scene,
-                    const std::vector<Override>& overrides) {
-  for (const Override& override : overrides) lay_over(items, read_layer(override));
+Document load_scene(Layer layer, const std::filesystem::path& scene, const std::vector<Override>& overrides) {
+  for (const Override& override : overrides) lay_over(layer, read_layer(override));
   Places places = {{"", {scene.string(), ""}}};
-  try {
-    Document document = make_document(items, scene, places);
-    document.places = std::move(places);
-    return document;
-  } catch (const sim::InputError& error) {
-    throw located(error, places);
-  }
+  for (const Item& item : layer.items) places.emplace(item.path, item.place);
+  for (const Mistake& mistake : layer.mistakes) places.emplace(mistake.path, mistake.place);  // given, though wrongly
+  Mistakes mistakes(std::move(layer.mistakes), places);
+  Document document = make_document(layer.items, scene, places, mistakes);
+  if (!mistakes.empty()) throw mistakes.error(scene.string());
+  document.places = std::move(places);
+  return document;
 }
 
 Document load_scene(const std::filesystem::path& scene, const std::filesystem::path& settings,

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/base/nearest.h"
+#include "app/base/shipped.h"
 #include "app/scene/scene_value.h"
 #include "sim/mesh/input_error.h"
 
@@ -43,12 +44,25 @@ class Reader {
   // Follows the names of an override's key to where its value belongs.
   void read_path(std::string_view path, const toml::node& node);
 
+  // Reads something; what is refused there is kept as a mistake, and the reading goes on after it.
+  template <class Read>
+  void attempt(const Read& read) {
+    try {
+      read();
+    } catch (Mistake& mistake) {
+      layer_.mistakes.push_back(std::move(mistake));
+    }
+  }
+
   Layer take() { return std::move(layer_); }
 
  private:
   Place place(const toml::source_region& source, std::string text = {}) const {
-    return {whole_ ? name_ : name_ + ":" + std::to_string(source.begin.line), std::move(text)};
+    if (whole_) return {name_, std::move(text)};
+    const auto line = static_cast<int>(source.begin.line), column = static_cast<int>(source.begin.column);
+    return {name_ + ":" + std::to_string(line), std::move(text), line, column};
   }
+  // These throw a Mistake.
   [[noreturn]] void refuse(const Cursor& at, const toml::node& node, const std::string& why) const;
   [[noreturn]] void refuse_name(const Cursor& at, std::string_view name, const toml::source_region& source) const;
   int index(const Cursor& list, std::string_view name, const toml::source_region& source) const;
@@ -83,14 +97,15 @@ void Reader::refuse_name(const Cursor& at, std::string_view name, const toml::so
     for (const std::string_view other : known)
       message.append(other == known[0] ? ": known here are " : ", ").append(other);
   }
-  throw SceneError(message);
+  throw Mistake{joined(at.path, meant.empty() ? name : meant), place(source), message};
 }
 
 int Reader::index(const Cursor& list, std::string_view name, const toml::source_region& source) const {
   const int index = index_of(name);
   if (index < 0) {
-    throw SceneError(place(source).where + ": '" + joined(list.path, name) + "': " + list.path +
-                     " is a list: its entries are numbered from 0, as in '" + list.path + ".0'");
+    throw Mistake{list.path, place(source),
+                  place(source).where + ": '" + joined(list.path, name) + "': " + list.path +
+                      " is a list: its entries are numbered from 0, as in '" + list.path + ".0'"};
   }
   return index;
 }
@@ -113,10 +128,12 @@ void Reader::read_value_at(const Cursor& at, const toml::node& node) {
 void Reader::read_list(const Cursor& at, const toml::node& node) {
   if (const toml::array* array = node.as_array()) {
     layer_.lists.push_back(at.path);
-    for (std::size_t i = 0; i < array->size(); ++i) read_entry(at.entry(static_cast<int>(i)), (*array)[i]);
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      attempt([&] { read_entry(at.entry(static_cast<int>(i)), (*array)[i]); });
+    }
   } else if (const toml::table* table = node.as_table()) {
     for (const auto& [name, entry] : *table) {
-      read_entry(at.entry(index(at, name.str(), name.source())), entry);
+      attempt([&] { read_entry(at.entry(index(at, name.str(), name.source())), entry); });
     }
   } else {
     refuse(at, node, "must be a list of tables");
@@ -132,10 +149,8 @@ void Reader::read_entries(const Cursor& at, const toml::node& node) {
   if (const toml::table* table = node.as_table()) {
     for (const auto& [name, value] : *table) {
       const Cursor next = at.child(name.str());
-      if (name.str().find_first_of(".[]") != std::string_view::npos || (!next.value() && !next.list())) {
-        refuse_name(at, name.str(), name.source());
-      }
-      read_value_at(next, value);
+      const bool unknown = name.str().find_first_of(".[]") != std::string_view::npos || (!next.value() && !next.list());
+      attempt([&] { unknown ? refuse_name(at, name.str(), name.source()) : read_value_at(next, value); });
     }
     return;
   }
@@ -144,7 +159,7 @@ void Reader::read_entries(const Cursor& at, const toml::node& node) {
   for (std::size_t i = 0; i < array->size(); ++i) {
     const Cursor next = at.child(std::to_string(i));
     if (!next.value()) refuse(at, node, "has too many entries");
-    read_value_at(next, (*array)[i]);
+    attempt([&] { read_value_at(next, (*array)[i]); });
   }
 }
 
@@ -166,6 +181,13 @@ void Reader::read_path(std::string_view path, const toml::node& node) {
   }
   if (at.pattern.empty() || at.pattern.ends_with("[]")) return read_entries(at, node);
   read_value_at(at, node);
+}
+
+// Of the scenes that come with the program, the one whose name was misspelt.
+std::string meant_scene(const std::filesystem::path& given) {
+  const std::vector<std::string> shipped = shipped_scenes();
+  const std::vector<std::string_view> names(shipped.begin(), shipped.end());
+  return suggestion(given.string(), names);
 }
 
 bool below(std::string_view path, std::string_view ancestor) {
@@ -190,7 +212,7 @@ void drop_excluded(std::vector<Item>& items, const Item& item) {
 
 Layer read_layer(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!std::filesystem::exists(file)) throw SceneError(file.string() + ": there is no such file");
+  if (!std::filesystem::exists(file)) throw SceneError(file.string() + ": there is no such file" + meant_scene(file));
   if (std::filesystem::is_directory(file)) throw SceneError(file.string() + ": is a folder, not a scene file");
   std::ostringstream text;
   if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
@@ -213,11 +235,13 @@ Layer read_layer(const Override& override) {
   }
   if (table.size() != 1 || !table.contains("value")) table = toml::table{{"value", override.value}};
   Reader reader(override.origin, true);
-  reader.read_path(override.key, *table.get("value"));
+  reader.attempt([&] { reader.read_path(override.key, *table.get("value")); });
   return reader.take();
 }
 
-void lay_over(std::vector<Item>& items, Layer layer) {
+void lay_over(Layer& lower, Layer layer) {
+  std::vector<Item>& items = lower.items;
+  std::ranges::move(layer.mistakes, std::back_inserter(lower.mistakes));
   if (items.empty()) {
     items = std::move(layer.items);
     return;

@@ -25,9 +25,10 @@ struct Item {
 struct Layer {
   std::vector<Item> items;
   std::vector<std::string> lists;  // paths of the lists that were given as a whole: "body.0.pin"
+  std::vector<Mistake> mistakes;   // what was refused, and is not among the items
 };
 
-// All throw SceneError.
+// Throw SceneError for what cannot be read at all: no file, no TOML.
 Layer read_layer(const std::filesystem::path& file);
 // The same for TOML text; `name` stands for the file in messages.
 Layer read_layer(std::string_view text, const std::string& name);
@@ -35,6 +36,6 @@ Layer read_layer(const Override& override);
 
 // Tables are merged; a value, and a list that is given as a whole, replaces what was there. So does a key that excludes
 // another (time.step and time.substeps).
-void lay_over(std::vector<Item>& items, Layer layer);
+void lay_over(Layer& lower, Layer layer);
 
 }  // namespace app

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "app/base/nearest.h"
 #include "app/base/text.h"
 #include "app/scene/value_text.h"
 
@@ -44,7 +45,7 @@ std::string name(const toml::node& node, const Form& form) {
 std::string choice(const toml::node& node, const Form& form) {
   const std::string given = text(node, form);
   const std::vector<std::string_view> choices = form.choices();
-  if (std::ranges::find(choices, given) == choices.end()) refuse(kind_text(form));
+  if (std::ranges::find(choices, given) == choices.end()) refuse(kind_text(form) + suggestion(given, choices));
   return given;
 }
 

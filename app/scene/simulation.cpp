@@ -27,7 +27,7 @@ std::shared_ptr<const sim::System> build_system(const Document& document, int th
     if (!sim::starts_in_a_mode(document.scene)) return std::make_shared<const sim::System>(document.scene, threads);
     return std::make_shared<const sim::System>(sim::with_modes_started(document.scene), threads);
   } catch (const sim::InputError& error) {
-    throw located(error, document.places);
+    throw SceneError(located(error, document.places).message);
   }
 }
 

@@ -59,7 +59,7 @@ class Session {
 
   std::filesystem::path scene_;
   int threads_;
-  std::vector<Item> items_;          // what the files said when the session began
+  Layer items_;                      // what the files said when the session began
   std::vector<Override> overrides_;  // and what was set since
   std::vector<Override> waiting_;
   std::optional<sim::Spring> pull_;

@@ -16,8 +16,10 @@ const char* text(sim::Verdict verdict) {
       return "at rest, loaded";
     case sim::Verdict::other_equilibrium:
       return "other equilibrium";
-    case sim::Verdict::not_settled:
-      return "not settled";
+    case sim::Verdict::moving:
+      return "still moving";
+    case sim::Verdict::iterating:
+      return "still iterating";
     case sim::Verdict::stopped:
       return "stopped";
   }

@@ -1,15 +1,13 @@
 #include "app/trade/plot.h"
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "app/base/gnuplot.h"
 #include "app/base/number_text.h"
-#include "app/base/process.h"
 #include "app/trade/advice.h"
 
 namespace app {
@@ -115,12 +113,6 @@ std::vector<Series> panel(const std::vector<Diagram>& diagrams, ErrorOf error, b
   return all;
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) result.append(c == '\'' ? 2 : 1, c == '\n' ? ' ' : c);
-  return result;
-}
-
 std::string data_block(const std::string& name, const Series& series) {
   std::string text = name + " << EOD\n";
   for (const Dot& dot : series.dots) {
@@ -159,7 +151,7 @@ std::string plot_command(const std::vector<Series>& all, const std::string& pref
     const std::string name = "$" + prefix + std::to_string(++block);
     data += data_block(name, series);
     plot += (plot.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 with " + series.style +
-            (series.on_y2 ? " axes x1y2" : "") + " title '" + escaped(series.title) + "'";
+            (series.on_y2 ? " axes x1y2" : "") + " title " + gnuplot_quoted(series.title);
   }
   if (plot.empty()) return plot;
   return range_of(all, "x", &Dot::seconds) + range_of(all, "y", &Dot::error) + plot;
@@ -178,23 +170,16 @@ std::string plot_script(const std::vector<Diagram>& diagrams, const std::filesys
       "set logscale xy\nset format y '10^{%T}'\nset xlabel 'wall time per simulated second [s]'\nset grid\n"
       "set y2range [0:1]\nset bmargin 9\nset key below noenhanced samplen 2 font ',10'\n";
   std::string drawing =
-      "set multiplot layout 1," + std::to_string(panels) + " title '" + escaped(title) + "' noenhanced\n";
+      "set multiplot layout 1," + std::to_string(panels) + " title " + gnuplot_quoted(title) + " noenhanced\n";
   if (!time.empty()) drawing += "set ylabel 'time error on the mesh of the scene [body size, rms]'\n" + time + "\n";
   if (!total.empty()) drawing += "set ylabel 'total error, against the finest mesh [body size, rms]'\n" + total + "\n";
   drawing += "unset multiplot\n";
   const auto picture = [&](const std::string& terminal, int width, int height, const std::string& extension) {
     return "set terminal " + terminal + " size " + std::to_string(width * panels) + "," + std::to_string(height) +
-           "\nset output '" + escaped(base.string() + extension) + "'\n" + drawing;
+           "\nset output " + gnuplot_quoted(base.string() + extension) + "\n" + drawing;
   };
   return data + settings + picture("svg font 'sans,12' background 'white'", 560, 620, ".svg") +
          picture("pngcairo font 'sans,12'", 800, 860, ".png");
-}
-
-bool run_gnuplot(const std::filesystem::path& script) {
-  pid_t process = 0;
-  if (start_process({"gnuplot", script.string()}, -1, process) != 0) return false;
-  const int status = wait_for_process(process);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace app

@@ -22,7 +22,4 @@ struct Diagram {
 // margin. Of several diagrams the fronts alone. `base`: path of the pictures without .svg and .png.
 std::string plot_script(const std::vector<Diagram>& diagrams, const std::filesystem::path& base);
 
-// Runs gnuplot on the script; false where there is none, or where it fails.
-bool run_gnuplot(const std::filesystem::path& script);
-
 }  // namespace app

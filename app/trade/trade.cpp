@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "app/base/gnuplot.h"
 #include "app/base/json.h"
 #include "app/base/output_file.h"
 #include "app/base/text.h"

@@ -219,15 +219,11 @@ void form_pattern(Parts& parts) {
   if (parts.scheme->is_explicit()) return;
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
-  const bool flat = std::all_of(model.ranges.begin(), model.ranges.end(),
-                                [](const BodyRange& body) { return info(body.mesh->kind).dimension == 2; });
-  model.solver.linear = settled_solver(model.solver.linear, model.dofs(), flat);
+  model.solver.linear = settled_solver(model.solver.linear, model.dofs());
   if (by_itself)
-    parts.remarks.push_back(
-        model.solver.linear == LinearSolverKind::pcg ? "solver: conjugate gradients without a matrix, for this size"
-        : model.solver.linear == LinearSolverKind::cholmod ? "solver: CHOLMOD, as all bodies are flat"
-                                                           : "solver: conjugate gradients on the matrix; CHOLMOD from "
-                                                             "where they take too long");
+    parts.remarks.push_back(model.solver.linear == LinearSolverKind::two_level
+                                ? "solver: conjugate gradients on two levels, for this size"
+                                : "solver: conjugate gradients on two levels; CHOLMOD from where they take too long");
   if (!forms_matrix(model.solver.linear)) return;
   Coupling coupling(model.node_count);
   for (const Mass& mass : model.masses) mass.couple(coupling);

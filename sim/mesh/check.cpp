@@ -77,7 +77,8 @@ void renumber(Group& group, const std::vector<int>& new_number, MeshCheck& repor
     if (std::all_of(facet.begin(), facet.end(), [&](int n) { return new_number[n] >= 0; })) kept.push_back(f);
   }
   report.dropped_facets += static_cast<int>(group.facets.cols()) - static_cast<int>(kept.size());
-  group.facets = Eigen::MatrixXi(group.facets(Eigen::all, kept)).unaryExpr([&](int n) { return new_number[n]; });
+  group.facets =
+      Eigen::MatrixXi(group.facets(Eigen::indexing::all, kept)).unaryExpr([&](int n) { return new_number[n]; });
 }
 
 void drop_unused_nodes(Mesh& mesh, MeshCheck& report) {
@@ -91,7 +92,7 @@ void drop_unused_nodes(Mesh& mesh, MeshCheck& report) {
   }
   report.dropped_nodes = mesh.node_count() - static_cast<int>(kept.size());
   if (report.dropped_nodes == 0) return;
-  mesh.X = Eigen::MatrixXd(mesh.X(Eigen::all, kept));
+  mesh.X = Eigen::MatrixXd(mesh.X(Eigen::indexing::all, kept));
   for (int& n : mesh.elements.reshaped()) n = new_number[n];
   for (Group& group : mesh.groups) renumber(group, new_number, report);
 }

@@ -156,7 +156,7 @@ void add_sides(Mesh& mesh, const Eigen::MatrixXi& facets, int axis, double lengt
     for (int f = 0; f < facets.cols(); ++f) {
       if ((mesh.X(axis, facets.col(f)).array() == coordinate).all()) on_side.push_back(f);
     }
-    group.facets = facets(Eigen::all, on_side);
+    group.facets = facets(Eigen::indexing::all, on_side);
     mesh.groups.push_back(std::move(group));
   }
 }

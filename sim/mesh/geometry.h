@@ -48,8 +48,7 @@ template <class E, int D>
 Position<D> position(const Eigen::Matrix<double, D, E::nodes>& X_e, const std::array<double, E::dimension>& xi) {
   const auto N = E::N(xi);
   Position<D> X = Position<D>::Zero();
-  for (int i = 0; i < E::nodes; ++i)
-    for (int r = 0; r < D; ++r) X[r] += N[i] * X_e(r, i);
+  for (int i = 0; i < E::nodes; ++i) X += N[i] * X_e.col(i);
   return X;
 }
 
@@ -59,8 +58,7 @@ Jacobian<E, D> jacobian(const Eigen::Matrix<double, D, E::nodes>& X_e, const std
   const auto dN = E::dN(xi);
   Jacobian<E, D> J = Jacobian<E, D>::Zero();
   for (int i = 0; i < E::nodes; ++i) {
-    for (int k = 0; k < E::dimension; ++k)
-      for (int r = 0; r < D; ++r) J(r, k) += dN[i][k] * X_e(r, i);
+    for (int k = 0; k < E::dimension; ++k) J.col(k) += dN[i][k] * X_e.col(i);
   }
   return J;
 }

@@ -154,7 +154,7 @@ Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
       const auto facet = all.col(f);
       if (std::all_of(facet.begin(), facet.end(), [&](int n) { return in[n]; })) chosen.push_back(f);
     }
-    return all(Eigen::all, chosen);
+    return all(Eigen::indexing::all, chosen);
   };
   if (mesh.dimension() == 3 && info(mesh.kind).dimension == 2) {
     const Eigen::MatrixXi faces = chosen_of(mesh.elements);

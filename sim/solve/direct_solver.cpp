@@ -1,6 +1,9 @@
 #include "sim/solve/direct_solver.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "sim/solve/kept_factor.h"
 
 namespace sim {
 
@@ -9,20 +12,19 @@ namespace {
 // More iterations than this in one solve and a new factor is made at once.
 constexpr int most_iterations = 60;
 
-bool same_factor(const KeptFactor& a, const KeptFactor& b) {
-  return a.valid == b.valid && a.definiteness == b.definiteness && a.t_begin == b.t_begin && a.t == b.t &&
-         a.dv_dx == b.dv_dx && a.c == b.c && a.x_begin == b.x_begin && a.v_begin == b.v_begin && a.x == b.x &&
-         a.v == b.v;
-}
-
 }  // namespace
 
-DirectSolver::DirectSolver(const Model& model) : model_(model) {
-  matrix_.emplace(*model.pattern, model.D);
-  cholesky_.emplace();
+DirectSolver::DirectSolver(const Model& model) : model_(model) {}
+
+void DirectSolver::assemble(const TangentOperator& A) {
+  if (!matrix_) matrix_.emplace(*model_.pattern, model_.D);
+  if (revision_ == A.revision()) return;
+  revision_ = A.revision();
+  A.assemble(*matrix_);
 }
 
 Cholesky::Status DirectSolver::factorise(const TangentOperator& A) {
+  if (!cholesky_) cholesky_.emplace();
   if (epoch_ != A.epoch()) {
     if (!cholesky_->analyse(*matrix_, A.free())) return Cholesky::Status::out_of_memory;
     epoch_ = A.epoch();
@@ -30,44 +32,39 @@ Cholesky::Status DirectSolver::factorise(const TangentOperator& A) {
   return cholesky_->factorise(*matrix_);
 }
 
-void DirectSolver::remember(const TangentOperator& A) {
-  const Linearisation& where = A.linearisation();
-  held_.valid = 1;
-  held_.excess = 0;
-  held_.definiteness = static_cast<int>(where.fix);
-  held_.t_begin = where.begin.t;
-  held_.t = where.at.t;
-  held_.dv_dx = where.at.dv_dx;
-  held_.c = where.c;
-  held_.x_begin = where.begin.x;
-  held_.v_begin = where.begin.v;
-  held_.x = where.at.x;
-  held_.v = where.at.v;
-}
-
 void DirectSolver::give_up_factor() {
   matrix_.reset();
   cholesky_.reset();
   held_ = {};
-  fallback_.emplace(model_, /*with_matrix=*/false);
+  fallback_.emplace(model_);
   to_be_said_ = true;
 }
 
 void DirectSolver::begin_step(TangentOperator& A, const KeptFactor& kept) {
   if (fallback_) return;
-  held_.valid = held_.valid && kept.valid;
-  if (!kept.valid) return;
-  if (same_factor(kept, held_)) {
-    held_.excess = kept.excess;
+  if (static_cast<Kept>(kept.what) != Kept::factor) {
+    held_.what = 0;
     return;
   }
+  const bool held = same(kept, held_);
   held_ = kept;
-  A.begin_step({held_.x_begin, held_.v_begin, held_.t_begin, 0});
-  scratch_.resize(model_.dofs());
-  A.linearise({held_.x, held_.v, held_.t, held_.dv_dx}, held_.c, static_cast<Definiteness>(held_.definiteness),
-              scratch_.r);
-  A.assemble(*matrix_);
+  if (held) return;
+  return_to(kept, A, scratch_.r);
+  assemble(A);
   if (factorise(A) == Cholesky::Status::out_of_memory) give_up_factor();
+}
+
+bool DirectSolver::worn(const TangentOperator& A) const {
+  return held_.what == 0 || epoch_ != A.epoch() || static_cast<double>(held_.excess) >= cholesky_->solves_per_factor();
+}
+
+// The factor, and an iteration for every solve with what its age added, shared by the solves that it served. A solve
+// reads the factor twice, an iteration the matrix as well.
+double DirectSolver::bytes_per_solve() const {
+  const double solve = 2.0 * 8 * static_cast<double>(cholesky_->factor_nonzeros());
+  const double iteration = solve + 8.0 * static_cast<double>(matrix_->values().size());
+  const double solves = static_cast<double>(held_.solves), excess = static_cast<double>(held_.excess);
+  return (cholesky_->solves_per_factor() * solve + (solves + excess) * iteration) / std::max(solves, 1.0);
 }
 
 LinearResult DirectSolver::solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
@@ -78,8 +75,8 @@ LinearResult DirectSolver::solve(const TangentOperator& A, const Eigen::VectorXd
     result.no_factor = std::exchange(to_be_said_, false);
     return result;
   }
-  A.assemble(*matrix_);
-  if (held_.valid && epoch_ == A.epoch() && held_.excess < cholesky_->solves_per_factor()) {
+  assemble(A);
+  if (!worn(A)) {
     const PcgResult cg = pcg(
         [&](const auto& p, auto& Ap) {
           matrix_->multiply(p, Ap, A.threads());
@@ -89,9 +86,10 @@ LinearResult DirectSolver::solve(const TangentOperator& A, const Eigen::VectorXd
         dx);
     result.iterations = cg.iterations;
     held_.excess += std::max(cg.iterations - 1, 0);
+    ++held_.solves;
     if (cg.converged) return result;
   }
-  held_.valid = 0;
+  held_.what = 0;
   const Cholesky::Status status = factorise(A);
   if (status == Cholesky::Status::out_of_memory) {
     give_up_factor();
@@ -100,7 +98,8 @@ LinearResult DirectSolver::solve(const TangentOperator& A, const Eigen::VectorXd
   ++result.factorisations;
   result.positive_definite = status == Cholesky::Status::done;
   if (!result.positive_definite) return result;
-  remember(A);
+  note(A, Kept::factor, held_);
+  held_.solves = 1;
   cholesky_->solve(r, dx);
   ++result.iterations;
   return result;

@@ -3,12 +3,13 @@
 // gradients without a matrix take over for good.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
-#include "sim/solve/cholesky.h"
+#include "sim/linear/cholesky.h"
+#include "sim/linear/pcg.h"
 #include "sim/solve/iterative_solver.h"
 #include "sim/solve/linear_solver.h"
-#include "sim/solve/pcg.h"
 
 namespace sim {
 
@@ -21,17 +22,24 @@ class DirectSolver final : public LinearSolver {
                      Eigen::VectorXd& dx) override;
   const KeptFactor* kept() const override { return &held_; }
   bool without_factor() const { return fallback_.has_value(); }
+  // The next solve makes a factor.
+  bool worn(const TangentOperator& A) const;
+  // Memory that a solve has read on the average since the factor was made, its share of making it included.
+  double bytes_per_solve() const;
+  // Another solver took this many iterations where this one began; noted with the factor.
+  void note_rival(std::int64_t iterations) { held_.fresh = iterations; }
 
  private:
+  void assemble(const TangentOperator& A);
   Cholesky::Status factorise(const TangentOperator& A);
-  void remember(const TangentOperator& A);
   void give_up_factor();
 
   const Model& model_;
   std::optional<BlockMatrix> matrix_;
   std::optional<Cholesky> cholesky_;
   KeptFactor held_;
-  int epoch_ = -1;  // of the free components that were analysed
+  int epoch_ = -1;              // of the free components that were analysed
+  std::int64_t revision_ = -1;  // of A, that was assembled
   PcgScratch scratch_;
   std::optional<IterativeSolver> fallback_;
   bool to_be_said_ = false;  // that there is no factor

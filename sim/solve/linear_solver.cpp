@@ -4,13 +4,12 @@
 
 namespace sim {
 
-LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs, bool flat) {
-  // Beyond this size the factor of a solid no longer pays: it grows like n^(4/3), an iteration like n.
-  constexpr Eigen::Index largest_factor = 200000;
+LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs) {
+  // Beyond this size a factor of a solid no longer pays: it grows like n^(4/3), the two levels' work hardly faster
+  // than n.
+  constexpr Eigen::Index largest_factor = 30000;
   if (chosen != LinearSolverKind::automatic) return chosen;
-  // The factor of a surface grows hardly faster than the matrix.
-  if (flat) return LinearSolverKind::cholmod;
-  return dofs <= largest_factor ? LinearSolverKind::automatic : LinearSolverKind::pcg;
+  return dofs <= largest_factor ? LinearSolverKind::automatic : LinearSolverKind::two_level;
 }
 
 bool forms_matrix(LinearSolverKind settled) {
@@ -18,9 +17,11 @@ bool forms_matrix(LinearSolverKind settled) {
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Model& model) {
-  if (model.solver.linear == LinearSolverKind::automatic) return std::make_unique<AutoSolver>(model);
-  if (model.solver.linear == LinearSolverKind::cholmod) return std::make_unique<DirectSolver>(model);
-  return std::make_unique<IterativeSolver>(model);
+  const LinearSolverKind linear = model.solver.linear;
+  if (linear == LinearSolverKind::automatic) return std::make_unique<AutoSolver>(model);
+  if (linear == LinearSolverKind::cholmod) return std::make_unique<DirectSolver>(model);
+  if (linear == LinearSolverKind::pcg) return std::make_unique<IterativeSolver>(model);
+  return std::make_unique<AssembledSolver>(model, linear == LinearSolverKind::two_level);
 }
 
 }  // namespace sim

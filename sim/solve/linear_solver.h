@@ -22,7 +22,8 @@ class LinearSolver {
   // A step begins whose State tells of this factor. Another one that is held is dropped; one that is not (a state was
   // loaded) is made again, for which A is linearised where `kept` says.
   virtual void begin_step(TangentOperator& /*A*/, const KeptFactor& /*kept*/) {}
-  // A dx = r to |r - A dx| <= tolerance |r|; A was linearised anew. dx and r are zero on prescribed components.
+  // A dx = r to |r - A dx| <= tolerance |r|; A may be that of the solve before. dx and r are zero on
+  // prescribed components.
   virtual LinearResult solve(const TangentOperator& A, const Eigen::VectorXd& r, double tolerance,
                              Eigen::VectorXd& dx) = 0;
   // The factor that is held, for State to tell of; nullptr: this solver holds none.
@@ -32,8 +33,7 @@ class LinearSolver {
 std::unique_ptr<LinearSolver> make_linear_solver(const Model& model);
 
 // The solver that a scene's choice stands for at this size, and whether it forms a matrix.
-// flat: all elements are triangles or quads.
-LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs, bool flat);
+LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs);
 bool forms_matrix(LinearSolverKind settled);
 
 }  // namespace sim

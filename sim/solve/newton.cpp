@@ -10,6 +10,7 @@ namespace sim {
 namespace {
 
 constexpr double linear_tolerance = 1e-2;  // |residual of the linear solve| / |right-hand side|
+constexpr double chord = 0.1;              // |residual| / |the one before| down to which the tangent is kept
 constexpr double armijo = 1e-4;            // share of the predicted decrease that a step must give
 constexpr int most_halvings = 40;
 constexpr double step_share = 0.9;      // of the largest step that a term allows
@@ -43,6 +44,24 @@ class Exactness {
   bool exact_ = false, slow_ = false;
   int wait_ = 0, pause_ = 2;
   double last_ = std::numeric_limits<double>::infinity();
+};
+
+// Whether the iteration still gets anywhere: the potential falls by a share of what its slope promises, or the
+// increment is smaller than it ever was. A stiff, tangled mesh needs hundreds of iterations that all do; where the
+// energy has kinks, thousands may follow that do not.
+class Progress {
+ public:
+  bool ended(double share, double increment) {
+    idle_ = share > least_share || increment < shorter * smallest_ ? 0 : idle_ + 1;
+    smallest_ = std::min(smallest_, increment);
+    return idle_ == most_idle;
+  }
+
+ private:
+  static constexpr int most_idle = 15;
+  static constexpr double least_share = 1e-3, shorter = 0.99;
+  int idle_ = 0;
+  double smallest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -99,25 +118,45 @@ void Newton::move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen
     if (free[i] != 0) x[i] = stage.x_star[i] + stage.gh * v[i];
 }
 
-// The Newton direction dx_ from the residual f - (M (v - v_start) - impulse)/(g h), with the matrix made definite as
-// `first` says, then otherwise. False: a value is not finite.
-bool Newton::direction(const StageProblem& stage, const Motion& motion, Definiteness first, double tolerance,
-                       StepReport& report) {
+// f - (M (v - v_start) - impulse)/(g h), from the forces in f_
+void Newton::form_residual(const StageProblem& stage, const Motion& motion) {
+  residual_ = f_;
+  if (stage.gh != 0) {
+    inertia(stage, motion.v, product_);
+    residual_ -= motion.dv_dx * product_;
+  }
+  residual_.array() *= tangent_.free().array();
+}
+
+// Whether the tangent of the iteration before is good for another: it left little of the residual. Then residual_ is
+// that of the motion.
+bool Newton::tangent_serves(const StageProblem& stage, const Motion& motion, StepReport& report) {
+  const Stopwatch watch(report.seconds_assemble);
+  tangent_.forces(motion, f_);
+  ++report.force_evaluations;
+  form_residual(stage, motion);
+  return residual_.norm() <= chord * residual_norm_;
+}
+
+// The Newton direction dx_ from the residual, with the matrix made definite as `first` says, then otherwise; after a
+// full step with the matrix of the iteration before, where it serves. False: a value is not finite.
+bool Newton::direction(const StageProblem& stage, const Motion& motion, Definiteness first, bool full_step_before,
+                       double tolerance, StepReport& report) {
   const double rate = motion.dv_dx;
   const Definiteness definite = fix_ == Definiteness::none ? Definiteness::clamp : fix_;
-  for (Definiteness fix = first;; fix = definite) {
+  kept_tangent_ = full_step_before && first == made_ && tangent_serves(stage, motion, report);
+  for (Definiteness fix = first;; fix = definite, kept_tangent_ = false) {
     Stopwatch watch(report.seconds_assemble);
-    tangent_.linearise(motion, rate * rate, fix, f_);
-    ++report.force_evaluations;
-    residual_ = f_;
-    if (stage.gh != 0) {
-      inertia(stage, motion.v, product_);
-      residual_ -= rate * product_;
+    if (!kept_tangent_) {
+      tangent_.linearise(motion, rate * rate, fix, f_);
+      ++report.force_evaluations;
+      form_residual(stage, motion);
+      made_ = fix;
     }
-    residual_.array() *= tangent_.free().array();
+    residual_norm_ = residual_.norm();
     watch.stop();
-    if (!std::isfinite(residual_.squaredNorm())) return false;
-    if (residual_.norm() * model_.node_size.minCoeff() <= force_noise * model_.energy_scale) {
+    if (!std::isfinite(residual_norm_)) return false;
+    if (residual_norm_ * model_.node_size.minCoeff() <= force_noise * model_.energy_scale) {
       dx_.setZero();
       return true;
     }
@@ -137,11 +176,11 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
   }
 }
 
-// Armijo backtracking; returns the step taken, 0 when none decreases the potential.
-double Newton::line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
-                           StepReport& report) {
+// Armijo backtracking; the step taken is 0 when none decreases the potential.
+Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion, double& potential_here,
+                                 Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
   const double slope = -residual_.dot(dx_);
-  const double before = potential(stage, motion);
+  const double before = potential_here;
   const double limit = tangent_.largest_step(motion, dx_);
   double a = limit < 1 ? step_share * limit : 1;
   x_from_ = x;
@@ -150,48 +189,63 @@ double Newton::line_search(const StageProblem& stage, const Motion& motion, Eige
   for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
     move(stage, a, x, v);
     const double after = potential(stage, motion);
-    if (after <= before + armijo * a * slope + noise) return a;
+    if (after <= before + armijo * a * slope + noise) {
+      potential_here = after;
+      return {a, (before - after - noise) / -slope};
+    }
     ++report.backtracks;
   }
   move(stage, 0, x, v);
-  return 0;
+  return {0, 0};
 }
 
-bool Newton::solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
+bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
+                   StepReport& report) {
   const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
   const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
   const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, model_.solver.tolerance) : linear_tolerance;
+  double potential_here = 0;
+  if (!stage.one_iteration) potential_here = start ? *start : potential(stage, motion);
   Exactness exactness(fix_);
+  Progress progress;
+  bool full_step_before = false;
   int k = 0;
   for (; k < most; ++k) {
     const Definiteness first = exactness.next();
     const int factors = report.factorisations;
-    if (!direction(stage, motion, first, linear, report)) {
+    if (!direction(stage, motion, first, full_step_before, linear, report)) {
       report.failure = "the forces or the Newton direction are not finite";
       return false;
     }
     ++report.newton;
-    double a = 1;
+    Move step{1, 0};
     if (stage.one_iteration) {
       x_from_ = x;
       v_from_ = v;
-      move(stage, a, x, v);
+      move(stage, step.a, x, v);
     } else {
-      a = line_search(stage, motion, x, v, report);
+      step = line_search(stage, motion, potential_here, x, v, report);
     }
     report.increment = 0;
     for (Eigen::Index node = 0; node < model_.node_count; ++node)
       report.increment = std::max(report.increment,
                                   dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
-    if (stage.one_iteration || (a == 1 && report.increment <= model_.solver.tolerance)) return true;
-    if (a == 0 && !exactness.exact()) break;
-    exactness.look(a == 1 && report.factorisations <= factors + 1, report.increment);
+    if (stage.one_iteration || (step.a == 1 && report.increment <= model_.solver.tolerance)) return true;
+    if (step.a == 0 && !exactness.exact() && !kept_tangent_) {
+      report.reason = "no step along the Newton direction lowers the potential";
+      break;
+    }
+    if (progress.ended(step.share, report.increment)) {
+      report.reason = "the iteration makes no progress";
+      break;
+    }
+    full_step_before = step.a == 1;
+    exactness.look(step.a == 1 && report.factorisations <= factors + 1, report.increment);
   }
   report.converged = false;
-  report.reason =
-      k < most ? "no step along the Newton direction lowers the potential" : "solver.max_iterations reached";
+  if (k == most) report.reason = "solver.max_iterations reached";
   return true;
 }
 

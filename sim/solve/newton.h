@@ -1,6 +1,8 @@
 // Newton's method on the potential of one stage: minimises 1/2 |x - (x* + g h v*)|_M^2 + (g h)^2 U(x).
 #pragma once
 
+#include <optional>
+
 #include "sim/report.h"
 #include "sim/solve/linear_solver.h"
 
@@ -26,18 +28,26 @@ class Newton {
   // What the state at the step's end tells of.
   void keep(KeptFactor& kept) const;
   // x and v: the start of the iteration on entry, with prescribed components in place; the stage's solution on return.
-  // False, with report.failure, when the start is not allowed or a value is not finite.
-  bool solve(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report);
+  // start: the potential there, if known. False, with report.failure, when the start is not allowed or a value is not
+  // finite.
+  bool solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
+             StepReport& report);
   // The stage's potential up to a constant [J]; +infinity where it is not allowed.
   double potential(const StageProblem& stage, const Motion& motion);
 
   TangentOperator& tangent() { return tangent_; }
 
  private:
-  bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, double tolerance,
-                 StepReport& report);
-  double line_search(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
-                     StepReport& report);
+  void form_residual(const StageProblem& stage, const Motion& motion);
+  bool tangent_serves(const StageProblem& stage, const Motion& motion, StepReport& report);
+  bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, bool full_step_before,
+                 double tolerance, StepReport& report);
+  struct Move {
+    double a;      // of dx_ that was taken
+    double share;  // fall of the potential beyond its round-off, over what the slope promises for all of dx_
+  };
+  Move line_search(const StageProblem& stage, const Motion& motion, double& potential_here, Eigen::VectorXd& x,
+                   Eigen::VectorXd& v, StepReport& report);
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
@@ -46,6 +56,9 @@ class Newton {
   Definiteness fix_;
   TangentOperator tangent_;
   std::unique_ptr<LinearSolver> linear_;
+  Definiteness made_ = Definiteness::clamp;  // how the tangent of the latest direction was made definite
+  bool kept_tangent_ = false;                // it is that of the iteration before
+  double residual_norm_ = 0;                 // there, N
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
 };
 

@@ -19,7 +19,10 @@ bool TangentOperator::lags() const {
 }
 
 void TangentOperator::linearise(const Motion& motion, double c, Definiteness fix, Eigen::VectorXd& f) {
-  where_.emplace(*begin_, motion, c, fix);
+  x_ = motion.x;
+  v_ = motion.v;
+  where_.emplace(*begin_, Motion{x_, v_, motion.t, motion.dv_dx}, c, fix);
+  ++revision_;
   f.setZero();
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->linearise(motion, fix, *stores_[k], f);
 }
@@ -55,10 +58,14 @@ void TangentOperator::diagonal(Eigen::VectorXd& d) const {
   d.array() = d.array() * free_.array() + (1 - free_.array());
 }
 
-void TangentOperator::assemble(BlockMatrix& A) const {
+void TangentOperator::assemble_upper(BlockMatrix& A) const {
   A.set_zero();
   for (const Mass& mass : model_.masses) mass.add_matrix(where_->c, A);
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_matrix(*stores_[k], 1, A);
+}
+
+void TangentOperator::assemble(BlockMatrix& A) const {
+  assemble_upper(A);
   A.mirror(threads_);
 }
 

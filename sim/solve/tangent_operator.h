@@ -2,6 +2,7 @@
 // product, as a diagonal, or assembled. Which of these is formed is the linear solver's choice.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -25,8 +26,10 @@ class TangentOperator {
   bool lags() const;  // some term does
   // Linearises every term at the motion; c [1/s^2]. f = -grad U (not restricted).
   void linearise(const Motion& motion, double c, Definiteness fix, Eigen::VectorXd& f);
-  // Where that was, while the vectors of both motions live.
+  // Where that was, while the vectors of the step's beginning live.
   const Linearisation& linearisation() const { return *where_; }
+  // Another number after every linearisation.
+  std::int64_t revision() const { return revision_; }
   // f = -grad U
   void forces(const Motion& motion, Eigen::VectorXd& f);
   // U, +infinity where a term does not allow the motion
@@ -43,7 +46,9 @@ class TangentOperator {
   void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const;
   // d = diagonal of A, 1 on prescribed components.
   void diagonal(Eigen::VectorXd& d) const;
-  // A, prescribed components included (the solver leaves them out).
+  // A, prescribed components included (the solver leaves them out): the blocks (i, j) with i <= j.
+  void assemble_upper(BlockMatrix& A) const;
+  // The same, and the others.
   void assemble(BlockMatrix& A) const;
 
   const Model& model() const { return model_; }
@@ -58,6 +63,8 @@ class TangentOperator {
   int epoch_ = -1;
   std::optional<Motion> begin_;
   std::optional<Linearisation> where_;
+  Eigen::VectorXd x_, v_;  // of its motion
+  std::int64_t revision_ = 0;
 };
 
 }  // namespace sim

@@ -146,7 +146,7 @@ Recovery recover(const System& system, std::int64_t steps, bool loaded, const st
   if (!r.failure.empty())
     r.verdict = Verdict::stopped;
   else if (!rest.settled())
-    r.verdict = Verdict::not_settled;
+    r.verdict = unsolved > 0 ? Verdict::iterating : Verdict::moving;
   else if (loaded)
     r.verdict = Verdict::at_rest_loaded;
   else

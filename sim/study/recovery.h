@@ -22,12 +22,13 @@ enum class Verdict {
   recovered,          // at rest, no further than 1e-4 of the size from the rest shape
   at_rest_loaded,     // at rest under the scene's loads
   other_equilibrium,  // at rest elsewhere, perhaps with inverted elements
-  not_settled,        // still moving at the end
+  moving,             // at the end, by physics: its steps are solved, it had no time to come to rest
+  iterating,          // at the end: the last step was not solved
   stopped,            // a step could not be taken, or 20 in a row did not converge
 };
 
 struct Recovery {
-  Verdict verdict = Verdict::not_settled;
+  Verdict verdict = Verdict::moving;
   std::string failure;     // where stopped: step, time, element, reason
   std::string reason;      // of the first step that did not converge
   double distance = 0;     // from the rest shape at the end [body sizes]

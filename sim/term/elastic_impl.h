@@ -148,6 +148,9 @@ class ElasticBlock : public ElasticTerm {
     constexpr int groups = (entries + lane_count - 1) / lane_count;
     const int lanes = elements_.lanes_in(batch);
     const int* slot = elements_.slots(batch);
+    // A large matrix is not in the cache: its blocks come while the stiffness is computed. A block spans two lines.
+    for (int k = 0; k < lanes * pairs; ++k)
+      for (int part = 0; part < D * D; part += 8) __builtin_prefetch(A.block(slot[k]) + part, 1);
     Mat<Lanes, D, D> K[N][N];
     stiffness(s, scale, batch, K);
     Lanes group[groups][lane_count];  // [group][entry in it][element]

@@ -1,6 +1,7 @@
 #include "sim/time/implicit.h"
 
 #include <cmath>
+#include <limits>
 
 #include "sim/solve/stopwatch.h"
 #include "sim/time/finish.h"
@@ -11,6 +12,9 @@ namespace {
 
 constexpr int most_halvings = 4;  // of a step: 16 parts at most
 
+// Where an iteration may start.
+enum class Guess { stay, flight, carried_on };
+
 }  // namespace
 
 ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
@@ -20,37 +24,41 @@ ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int t
     v->resize(model.dofs());
 }
 
-// Puts the start of the iteration into x_, v_: the acceleration of the step before carried on, or free flight,
-// whichever has the lower potential; where the terms allow neither, x_n.
-void ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
+// Puts the start of the iteration into x_, v_: free flight, the acceleration of the step before carried on, or x_n,
+// whichever has the lowest potential. No iterate has a higher one, so that even an iteration which is cut short ends no
+// higher than where the step began. Returns that potential, where it was evaluated.
+std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
-  const auto place = [&] {
-    if (problem.gh != 0) x_ = x_star_ + problem.gh * v_;
-    model_.pins.prescribe(problem.t, x_, v_);
-    return newton_.potential(problem, motion);
-  };
   if (scheme.is_static || scheme.one_iteration) {
     x_ = next_.x;
     v_ = problem.gh == 0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(x_.size()))
                          : Eigen::VectorXd((x_ - x_star_) / problem.gh);
     model_.pins.prescribe(problem.t, x_, v_);
-    return;
+    return {};
   }
-  v_ = v_start_;
-  double lowest = place();
-  if (next_.v_before.size() > 0) {
-    v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
-    const double carried_on = place();
-    if (carried_on < lowest) {
-      lowest = carried_on;
-    } else {
+  const auto aim = [&](Guess start) {
+    if (start == Guess::flight)
       v_ = v_start_;
-      place();
+    else if (start == Guess::carried_on)
+      v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
+    else
+      v_ = (next_.x - x_star_) / problem.gh;
+    x_ = x_star_ + problem.gh * v_;
+    model_.pins.prescribe(problem.t, x_, v_);
+  };
+  Guess best = Guess::stay, last = Guess::stay;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Guess start : {Guess::stay, Guess::flight, Guess::carried_on}) {
+    if (start == Guess::carried_on && next_.v_before.size() == 0) continue;
+    last = start;
+    aim(start);
+    if (const double potential = newton_.potential(problem, motion); potential < lowest) {
+      lowest = potential;
+      best = start;
     }
   }
-  if (std::isfinite(lowest)) return;
-  v_ = (next_.x - x_star_) / problem.gh;
-  place();
+  if (best != last) aim(best);
+  return lowest;
 }
 
 bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin,
@@ -73,8 +81,8 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
   }
   const StageProblem problem{
       x_star_, v_start_, impulse_, scheme.is_static ? 0 : stage.g * h, t_begin + stage.end * h, scheme.one_iteration};
-  guess(problem, scheme, h);
-  if (!newton_.solve(problem, x_, v_, report)) return false;
+  const std::optional<double> start = guess(problem, scheme, h);
+  if (!newton_.solve(problem, start, x_, v_, report)) return false;
   // What was frozen at the step's start cost an order of accuracy; frozen at the stage's solution it does not.
   const int again = newton_.tangent().lags() && !scheme.one_iteration ? model_.solver.lag_iterations : 0;
   for (int k = 0; k < again; ++k) {
@@ -82,7 +90,7 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     v_lagged_ = v_;
     const Motion lagged{x_lagged_, v_lagged_, problem.t, 0};
     newton_.tangent().begin_step(lagged);
-    if (!newton_.solve(problem, x_, v_, report)) return false;
+    if (!newton_.solve(problem, {}, x_, v_, report)) return false;
   }
   if (problem.gh != 0) {
     // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
@@ -127,7 +135,7 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
   const auto& [t, t_end, h, depth] = interval;
   const bool released = model_.pins.released(t_end) != model_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
-  if (released) next_.kept.valid = 0;
+  if (released) next_.kept.what = 0;
   newton_.begin_step(begin, t_end, next_.kept);
   if (next_.force.size() == 0 || released) {
     next_.force.resize(model_.dofs());
@@ -171,6 +179,22 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   return advance({t, middle, h / 2, depth + 1}, report) && advance({middle, t_end, h / 2, depth + 1}, report);
 }
 
+// A step that is accepted unsolved has the velocity of an iteration on its way, which no force justifies. It is slowed
+// down, until kinetic and potential energy together are at most what they were when the step began:
+//   s^2 = (T_n + U(x_n) - U(x_{n+1})) / T_{n+1}, at most 1, 0 where that is negative; v <- s v
+void ImplicitStepper::calm(const State& begin, double t, double t_end) {
+  const auto kinetic = [&](const Eigen::VectorXd& v) {
+    force_.setZero();
+    for (const Mass& mass : model_.masses) mass.add_product(1, v, force_, model_.D);
+    return 0.5 * v.dot(force_);
+  };
+  const double had = kinetic(begin.v) + newton_.tangent().energy({begin.x, begin.v, t, 0});
+  const double left = had - newton_.tangent().energy({next_.x, next_.v, t_end, 0}), T = kinetic(next_.v);
+  if (T <= left) return;
+  next_.v *= left > 0 ? std::sqrt(left / T) : 0;
+  model_.pins.prescribe(t_end, next_.x, next_.v);
+}
+
 StepReport ImplicitStepper::step(State& state) {
   StepReport report;
   report.step = state.step + 1;
@@ -181,6 +205,7 @@ StepReport ImplicitStepper::step(State& state) {
     measure_J(model_, newton_.tangent(), state, report);
     return report;
   }
+  if (!report.converged && !scheme_.is_static) calm(state, model_.t(state.step), model_.t(state.step + 1));
   next_.x_before = state.x;
   next_.v_before = state.v;
   ++next_.step;

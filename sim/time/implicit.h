@@ -1,6 +1,8 @@
 // Steps an implicit scheme: each stage is one minimisation. [mathematics.md 7]
 #pragma once
 
+#include <optional>
+
 #include "sim/mesh/input_error.h"
 #include "sim/solve/newton.h"
 #include "sim/time/scheme.h"
@@ -24,7 +26,8 @@ class ImplicitStepper final : public Stepper {
   const Scheme& scheme_of(const Interval& interval) const;
   bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
-  void guess(const StageProblem& problem, const Scheme& scheme, double h);
+  std::optional<double> guess(const StageProblem& problem, const Scheme& scheme, double h);
+  void calm(const State& begin, double t, double t_end);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
   const Model& model_;

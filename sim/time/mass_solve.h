@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sim/solve/model.h"
-#include "sim/solve/pcg.h"
+#include "sim/linear/pcg.h"
 
 namespace sim {
 

@@ -3,7 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <sstream>
+
+#include "app/base/output_file.h"
+#include "app/base/processor.h"
+#include "app/base/shipped.h"
+#include "app/base/version.h"
+#include "app/command/commands.h"
+#include "render/context.h"
+#include "tests/app/temporary_folder.h"
 
 namespace app {
 namespace {
@@ -100,7 +110,6 @@ TEST(CommandLine, HelpIsNotAnError) {
 
 TEST(CommandLine, MistakesAreBadInput) {
   const std::vector<std::vector<std::string>> mistakes = {
-      {},
       {"recrod", "a.toml"},
       {"record"},
       {"record", "a.toml", "b.toml"},
@@ -146,6 +155,62 @@ TEST(CommandLine, MistakesAreBadInput) {
   EXPECT_NE(parse({"record", "a.toml", "--size", "0x720"}).err.find("--size 0x720: must be WIDTHxHEIGHT"),
             std::string::npos);
   EXPECT_NE(parse({"record", "a.toml", "--set", "fps"}).err.find("--set fps: must be KEY=VALUE"), std::string::npos);
+}
+
+TEST(CommandLine, AloneItPrintsTheHelp) {
+  const Result result = parse({});
+  EXPECT_FALSE(result.options);
+  EXPECT_EQ(result.exit_code, 2);
+  for (const Command& command : commands()) {
+    EXPECT_NE(result.out.find(command.what), std::string::npos) << result.out;
+  }
+}
+
+TEST(CommandLine, TheVersionTellsWhatDraws) {
+  const Result result = parse({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.out.starts_with("ritz " + std::string(kVersion) + "\n")) << result.out;
+  for (const render::OffscreenKind& kind : render::offscreen_kinds()) {
+    EXPECT_NE(result.out.find(std::string(kind.name) + ": "), std::string::npos) << result.out;
+  }
+  EXPECT_NE(result.out.find(__VERSION__), std::string::npos) << result.out;
+}
+
+TEST(CommandLine, TheContextIsOneOfThoseThatWereBuilt) {
+  const std::string name(render::offscreen_kinds().back().name);
+  EXPECT_EQ(parse({"record", "a.toml", "--context", name}).options->context, name);
+  EXPECT_EQ(parse({"record", "a.toml", "--context", "vulkan"}).exit_code, 2);
+  setenv("RITZ_CONTEXT", name.c_str(), 1);
+  EXPECT_EQ(parse({"record", "a.toml"}).options->context, name);
+  unsetenv("RITZ_CONTEXT");
+  EXPECT_EQ(parse({"record", "a.toml"}).options->context, "");
+}
+
+TEST(CommandLine, AShippedSceneIsFoundByItsBareName) {
+  const auto scene = [](const std::string& name) { return parse({"run", name}).options->scene; };
+  EXPECT_EQ(read_all(scene("bear")), read_all(std::filesystem::path(RITZ_SOURCE_DIR) / "assets/scenes/bear.toml"));
+  EXPECT_TRUE(std::filesystem::exists(scene("benchmarks/cook")));
+  EXPECT_EQ(scene("no-such-scene"), "no-such-scene");
+  const std::vector<std::string> names = shipped_scenes();
+  EXPECT_NE(std::ranges::find(names, "bear"), names.end());
+  EXPECT_LT(std::ranges::find(names, "twisted-beam"), std::ranges::find(names, "benchmarks/cook"));
+}
+
+TEST(CommandLine, TheManualAndTheCompletionHaveEveryCommandAndOption) {
+  const std::string manual = parse({"--manual"}).out, completion = parse({"--completion"}).out;
+  for (const Command& command : commands()) {
+    EXPECT_NE(manual.find(".SS ritz " + std::string(command.name) + "\n"), std::string::npos) << manual;
+    EXPECT_NE(completion.find("    " + std::string(command.name) + ") options="), std::string::npos) << completion;
+  }
+  EXPECT_NE(manual.find(".B \\-o,\\-\\-out DIR"), std::string::npos) << manual;
+  EXPECT_NE(completion.find("--expect-share"), std::string::npos) << completion;
+}
+
+// The names of what this program was compiled for are known to the check, and this machine has them: it runs.
+TEST(Processor, HasWhatThisProgramUses) {
+  EXPECT_EQ(first_missing_instruction(needed_instructions), nullptr);
+  const char* const others[] = {"of the future", nullptr};
+  EXPECT_STREQ(first_missing_instruction(others), "of the future");
 }
 
 }  // namespace

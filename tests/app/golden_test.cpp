@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <tuple>
 
 #include "app/base/exit_code.h"
 #include "app/base/output_file.h"
 #include "app/command/commands.h"
 #include "render/compare.h"
+#include "render/context.h"
 #include "render/png.h"
 #include "tests/app/temporary_folder.h"
 
@@ -80,17 +82,27 @@ fs::path stored(const Golden& golden) {
   return fs::path(RITZ_SOURCE_DIR) / "tests/data/golden" / golden.name;
 }
 
+std::vector<std::string> context_names() {
+  std::vector<std::string> names;
+  for (const render::OffscreenKind& kind : render::offscreen_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
 bool store() {
   return std::getenv("RITZ_STORE_GOLDEN") != nullptr;
 }
 
-class GoldenLook : public testing::TestWithParam<std::size_t> {};
+// Every look by everything that draws here.
+class GoldenLook : public testing::TestWithParam<std::tuple<std::string, std::size_t>> {};
 
 TEST_P(GoldenLook, IsDrawnAsStored) {
-  const Golden& golden = looks()[GetParam()];
+  const auto& [context, look] = GetParam();
+  const Golden& golden = looks()[look];
   const TemporaryFolder temporary;
   Options options = options_for(golden, temporary / "run");
+  options.context = context;
   if (store()) {
+    if (context != context_names().front()) GTEST_SKIP() << "the first one stores";
     ASSERT_EQ(record(options), kDone);
     fs::remove_all(stored(golden));
     fs::copy(temporary / "run/frames", stored(golden), fs::copy_options::recursive);
@@ -99,13 +111,18 @@ TEST_P(GoldenLook, IsDrawnAsStored) {
   options.expect = stored(golden);
   options.expect_share = 0.01;  // software rasterisers differ between processors
   EXPECT_EQ(record(options), kDone) << golden.name;
+  const std::string json = read_all(temporary / "run/run.json");
+  EXPECT_NE(json.find("\"context\": \"" + context + "\""), std::string::npos) << json;
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, GoldenLook, testing::Range(std::size_t{0}, looks().size()), [](const auto& info) {
-  std::string name = looks()[info.param].name;
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Golden, GoldenLook,
+                         testing::Combine(testing::ValuesIn(context_names()),
+                                          testing::Range(std::size_t{0}, looks().size())),
+                         [](const auto& info) {
+                           std::string name = std::get<0>(info.param) + "_" + looks()[std::get<1>(info.param)].name;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 render::Image picture_of(const Golden& golden) {
   for (const fs::directory_entry& entry : fs::directory_iterator(stored(golden))) {

@@ -1,22 +1,20 @@
 // The commands record and run, end to end on a small beam.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <sstream>
-#include <thread>
 #include <vector>
 
 #include "app/base/exit_code.h"
 #include "app/base/output_file.h"
 #include "app/command/commands.h"
 #include "app/run/state_file.h"
+#include "tests/app/interrupt_when_there.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {
 namespace {
 
-constexpr const char* kBeam = R"(
+constexpr const char* kRecordedBeam = R"(
 title = "beam"
 [time]
 seconds = 0.4
@@ -36,7 +34,7 @@ at = [2, 0.5, 0.5]
 // A scene in a folder of its own, and the options of a small recording of it.
 class Record : public testing::Test {
  protected:
-  Record() { write_all(scene(), kBeam); }
+  Record() { write_all(scene(), kRecordedBeam); }
 
   std::filesystem::path scene() const { return folder_ / "beam.toml"; }
 
@@ -226,14 +224,6 @@ TEST_F(Record, TheStateOfAnotherSceneIsRefused) {
   EXPECT_NE(error_of([&] { run(softer); }).find("is the state of another scene"), std::string::npos);
   const Options seen = with(resumed(options("out")), "look.colour", "stress");  // another look is the same scene
   EXPECT_EQ(run(seen), kDone);
-}
-
-// Sends SIGINT to this process as soon as the file is there.
-std::thread interrupt_when_there(const std::filesystem::path& file) {
-  return std::thread([file] {
-    while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    kill(getpid(), SIGINT);
-  });
 }
 
 TEST_F(Record, AnInterruptedRunIsWholeAndGoesOnToTheSameEnd) {

@@ -2,7 +2,10 @@
 #include "app/base/exit_code.h"
 #include "app/base/text.h"
 #include "app/command/commands.h"
+#include "app/run/state_file.h"
 #include "app/session/session_file.h"
+#include "render/png.h"
+#include "tests/app/interrupt_when_there.h"
 #include "tests/app/workbench_scene.h"
 
 namespace app {
@@ -111,6 +114,76 @@ TEST_F(Replay, CountsWhatARunCounts) {
   for (const char* const name : {"newton_iterations", "linear_iterations", "steps_not_converged", "steps_halved",
                                  "not_converged_reason", "min_J", "inverted_elements", "no_memory_for_factor"})
     EXPECT_EQ(said(folder_ / "one/run.json", name), said(folder_ / "plain/run.json", name)) << name;
+}
+
+// A session of so many steps without inputs, as if it had been left by a program of other scenes.
+std::string steps_alone(int steps, const std::string& set) {
+  return "scene = \"beam.toml\"\nset = [" + set + "]\n[end]\nsteps = " + std::to_string(steps) +
+         "\nstate_hash = \"0123456789abcdef\"\n";
+}
+
+TEST_F(Replay, AnInterruptedOneIsWholeAndSaysHowFarItCame) {
+  write_all(folder_ / "session.toml", steps_alone(1000000, ""));
+  std::thread interrupter = interrupt_when_there(folder_ / "one/frames/frame_00003.png");
+  testing::internal::CaptureStderr();
+  const int code = record(replayed("one"));
+  const std::string message = testing::internal::GetCapturedStderr();
+  interrupter.join();
+  EXPECT_EQ(code, kInterrupted);
+  const sim::State state = read_state_file(folder_ / "one/state.bin").state;
+  EXPECT_EQ(message, "ritz: interrupted after step " + std::to_string(state.step) + " of 1000000\n");
+  EXPECT_EQ(said(folder_ / "one/run.json", "status"), "\"interrupted\"");
+  EXPECT_EQ(said(folder_ / "one/run.json", "steps"), std::to_string(state.step));
+  Session session(options());
+  take(session, static_cast<int>(state.step));
+  EXPECT_EQ(hexadecimal(sim::hash(state)), hexadecimal(hash_of(session)));
+  std::int64_t frames = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "one/frames")) {
+    EXPECT_EQ(render::decode_png(read_all(entry.path())).width, 64) << entry.path();
+    ++frames;
+  }
+  EXPECT_EQ(frames, state.step / 2 + 1);
+}
+
+TEST_F(Replay, OneThatFailsKeepsTheLastGoodState) {
+  write_all(folder_ / "session.toml",
+            steps_alone(1000, R"("time.integrator=symplectic-euler", "time.substeps=1", "body.0.material.young=1e6")"));
+  testing::internal::CaptureStderr();
+  const int code = record(replayed("one"));
+  const std::string message = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(code, kNumericalFailure);
+  // A session with the same settings fails at the same step.
+  Options unstable = options();
+  for (const auto& [key, value] :
+       {std::pair{"time.integrator", "symplectic-euler"}, {"time.substeps", "1"}, {"body.0.material.young", "1e6"}})
+    unstable.overrides.push_back({key, value, key});
+  Session session(unstable);
+  sim::StepReport report;
+  while (report.failure.empty() && session.steps() < 1000) report = session.step();
+  ASSERT_NE(report.failure, "");
+  const sim::State state = read_state_file(folder_ / "one/state.bin").state;
+  EXPECT_GT(state.step, 0);
+  EXPECT_EQ(hexadecimal(sim::hash(state)), hexadecimal(hash_of(session)));
+  const std::filesystem::path json = folder_ / "one/run.json";
+  EXPECT_EQ(said(json, "status"), "\"failed\"");
+  EXPECT_NE(read_all(json).find("\"reason\": " + quoted_text(report.failure)), std::string::npos);
+  EXPECT_EQ(said(json, "step"), std::to_string(state.step + 1)) << "of failed_at";
+  EXPECT_EQ(message.find("ritz: " + failure_text(*session.simulation()->system, report) +
+                         "\n      the last good state is saved in " + (folder_ / "one/state.bin").string() + "\n"),
+            0U)
+      << message;
+  EXPECT_EQ(message.find("note: the session ended"), std::string::npos) << "it did not come that far";
+}
+
+// Where the replay does come to the end of the session, another state there is told.
+TEST_F(Replay, SaysWhenItEndsElsewhere) {
+  write_all(folder_ / "session.toml", steps_alone(4, ""));
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(record(replayed("one")), kDone);
+  const std::string message = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(message.starts_with("note: the session ended in state 0123456789abcdef, the replay in " +
+                                  hash_in(folder_ / "one/run.json") + ": "))
+      << message;
 }
 
 TEST_F(Replay, KeepsTheOptionsOfTheSession) {

@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kPlate = R"([world]
+constexpr const char* kPlaneScene = R"([world]
 gravity = [0, -2]
 [[body]]
 mesh = { rectangle = [2, 1], cells = [2, 2], element = "quad4", translate = [1, 0], rotate = { degrees = 90 }, scale = 2 }
@@ -66,7 +66,7 @@ TEST_F(SceneFile, EveryFieldIsFilled) {
 }
 
 TEST_F(SceneFile, APlaneSceneHasTwoNumbers) {
-  const Document document = load(kPlate);
+  const Document document = load(kPlaneScene);
   const sim::Scene& scene = document.scene;
   EXPECT_EQ(scene.dimension, 2);
   EXPECT_EQ(scene.world.gravity, Vec3(0, -2, 0));
@@ -177,7 +177,7 @@ bool in_first_entries(const Key& key, const Document& document) {
 // Text -> document -> text -> document -> text.
 TEST_F(SceneFile, RoundTrip) {
   for (const std::string& text :
-       {std::string(kBeam), std::string(kPlate),
+       {std::string(kBeam), std::string(kPlaneScene),
         body("name = \"a \\\\ \\u00e9\"\nregion = [{ group = \"left\", material = { poisson = 0.123456789012345678 } "
              "}]\n"),
         std::string("title = \"a \\\"quoted\\\" \\n\\t\\u0001 title\"\n") + body("[look]\ncaption = \"\"\n"),
@@ -201,7 +201,7 @@ TEST_F(SceneFile, DumpHoldsEveryDefault) {
         "element = \"tet4\"", "poisson = 0.45", "grading = [1.0, 1.0, 1.0]", "fov = 30.0\n", "colour = \"plain\"\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << " is not in\n" << text;
   }
-  const std::string json = scene_json(load(kPlate), folder_.path());
+  const std::string json = scene_json(load(kPlaneScene), folder_.path());
   EXPECT_NE(json.find("\"gravity\": [0.0, -2.0]"), std::string::npos) << json;
   EXPECT_EQ(json.find("eye"), std::string::npos) << "a key of 3D scenes";
 }

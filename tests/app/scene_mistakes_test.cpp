@@ -120,6 +120,40 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
   }
 }
 
+// In the order of the file, whichever way they are found: unknown keys, values, what is missing, what does not fit.
+// What may follow from another mistake in the same body is not told.
+TEST_F(SceneFile, EveryMistakeIsToldAtOnce) {
+  const std::string text =
+      "[time]\nfps = 0\nfsp = 3\n"
+      "[look]\nrange = [2, 1]\n"
+      "[[body]]\nmesh = { box = [1, 1, 1], cells = [1, 1, 1] }\n"
+      "material = { poisson = 0.6, model = \"neohookean\" }\npin = [{ group = \"lfet\" }]\n"
+      "[[body]]\nmesh = { box = [1, 1, 1], cells = [1, 1, 1] }\n"
+      "traction = [{ group = \"lfet\", value = [0, 0, 0] }]\n"
+      "[[probe]]\nbody = \"body0\"\nat = [0, 0, 0]\n";
+  EXPECT_EQ(
+      error(text, {set("world.gravity", "3")}),
+      "scene.toml:2: time.fps = 0: must be in [1, 1e+06]\n"
+      "scene.toml:3: unknown key 'time.fsp': did you mean 'fps'?\n"
+      "scene.toml:5: look.range = [2, 1]: must be [low, high] with low < high\n"
+      "scene.toml:8: body.0.material.poisson = 0.6: must be in (-1, 0.5)\n"
+      "scene.toml:8: body.0.material.model = \"neohookean\": must be one of \"linear\", \"corotated\", \"stvk\", "
+      "\"fixed-corotated\", \"neo-hookean\", \"stable-neo-hookean\"; did you mean \"neo-hookean\"?\n"
+      "scene.toml:12: body.1.traction.0.group = \"lfet\": the mesh has no group \"lfet\"; its groups are \"left\", "
+      "\"right\", \"bottom\", \"top\", \"back\", \"front\"; did you mean \"left\"?\n"
+      "scene.toml:13: probe.0: 'name' is missing: Name of the probe, with which its columns in probes.csv begin.\n"
+      "--set world.gravity=3: must be a point [x, y, z], in 2D [x, y]");
+}
+
+// A key that is refused is not missed as well, and neither is the one that a misspelt key stood for.
+TEST_F(SceneFile, OneMistakeIsToldOnce) {
+  EXPECT_EQ(error("body = 3\n"), "scene.toml:1: body = 3: must be a list of tables");
+  EXPECT_EQ(error("[[body]]\nmseh = { box = [1, 1, 1], cells = [1, 1, 1] }\n"),
+            "scene.toml:2: unknown key 'body.0.mseh': did you mean 'mesh'?");
+  EXPECT_EQ(error("[[body]]\nmesh = { bix = [1, 1, 1], cells = [1, 1, 1] }\n"),
+            "scene.toml:2: unknown key 'body.0.mesh.bix': did you mean 'box'?");
+}
+
 TEST_F(SceneFile, MistakesInAPlaneScene) {
   const std::string plate = "[[body]]\nmesh = { rectangle = [1, 1], cells = [1, 1] }\n";
   const std::vector<BadScene> cases = {
@@ -202,6 +236,7 @@ TEST_F(SceneFile, MistakesInOverrides) {
 TEST_F(SceneFile, FilesThatCannotBeRead) {
   const std::string none = (folder_ / "none.toml").string();
   EXPECT_EQ(error_of([&] { load_scene(none); }), none + ": there is no such file");
+  EXPECT_EQ(error_of([&] { load_scene("baer"); }), "baer: there is no such file; did you mean \"bear\"?");
   EXPECT_EQ(error_of([&] { load_scene(folder_.path()); }), folder_.path().string() + ": is a folder, not a scene file");
   EXPECT_EQ(error_of([&] { load_scene(file("a.toml", kBeam), none); }), none + ": there is no such file");
 }
@@ -222,7 +257,7 @@ TEST_F(SceneFile, ASceneCutAnywhereIsReadOrRefused) {
 TEST_F(SceneFile, RefusalsOfTheSimulatorAreLocated) {
   const Document document = load(body("pin = [{ group = \"left\" }]\n"));
   const auto text = [&](const std::string& key) {
-    const std::string message = located(sim::InputError(key, "is wrong"), document.places).what();
+    const std::string message = located(sim::InputError(key, "is wrong"), document.places).message;
     return message.substr(message.rfind('/') + 1);
   };
   EXPECT_EQ(text("body.0.pin.0.group"), "scene.toml:3: body.0.pin.0.group = \"left\": is wrong");

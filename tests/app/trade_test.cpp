@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/base/exit_code.h"
+#include "app/base/text.h"
 #include "app/command/commands.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_text.h"
@@ -91,6 +92,32 @@ TEST_F(TradeTest, ARunThatExistsIsNotMadeAgain) {
   }
 }
 
+// The number that a job is listed with is that which runs it; listing runs none.
+TEST_F(TradeTest, JobsAreListedAsTheyAreRun) {
+  Options list = options();
+  list.trade.jobs = true;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(list), kDone);
+  std::istringstream text(testing::internal::GetCapturedStdout());
+  EXPECT_FALSE(std::filesystem::exists(list.out));
+  const Document scene = load_scene(list.scene);
+  const std::vector<TradeCase> jobs = independent_cases(scene, kPlan, false);
+  std::string line;
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    ASSERT_TRUE(std::getline(text, line)) << k;
+    EXPECT_EQ(line, std::to_string(k) + '\t' + jobs[k].label);
+  }
+  EXPECT_GT(jobs.size(), 35U);
+  EXPECT_FALSE(std::getline(text, line)) << line;
+  Options one = options();
+  one.trade.one_case = 5;
+  ASSERT_EQ(trade(one), kDone);
+  std::vector<std::string> run;
+  for (const auto& entry : std::filesystem::directory_iterator(one.out / "cases"))
+    if (const auto read = decode_case(read_all(entry.path()))) run.push_back(read->which.label);
+  EXPECT_EQ(run, std::vector<std::string>{jobs[5].label});
+}
+
 TEST_F(TradeTest, JobsAndCollectEqualOneProcess) {
   Options with = options();
   with.out = folder_ / "jobs";
@@ -132,8 +159,15 @@ TEST_F(TradeTest, LeavesAdviceThatIsASettingsFile) {
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_NE(said.find("Advice for an error of 5%: "), std::string::npos) << said;
   EXPECT_NE(said.find("A fresh run found "), std::string::npos);
-  const Document advised = load_scene(with.scene, with.out / "advice.toml");
-  EXPECT_FALSE(advised.scene.time.integrator.empty());
+  // With these settings the scene is the case that is advised, which keeps to the target.
+  const std::string head = "Advice for an error of 5%: ";
+  const std::size_t begin = said.find(head) + head.size();
+  const auto advised = rows(with.out).at(said.substr(begin, said.find(". ", begin) - begin));
+  EXPECT_LE(std::stod(advised.at("error_bound")), 0.05);
+  EXPECT_NE(advised.at("settings"), "") << "three steps a frame are more than that takes";
+  Options applied = options();
+  applied.settings = with.out / "advice.toml";
+  EXPECT_EQ(hexadecimal(case_id(make_comparison(options()), build_simulation(applied).identity)), advised.at("id"));
   for (const char* file : {"trade.csv", "trade.json", "trade.gp", "plan.toml"})
     EXPECT_TRUE(std::filesystem::exists(with.out / file)) << file;
 }

@@ -12,7 +12,9 @@
 #include <sstream>
 #include <thread>
 
+#include "app/base/process.h"
 #include "app/base/text.h"
+#include "app/panel/panel.h"
 #include "app/session/session_file.h"
 #include "render/compare.h"
 #include "render/png.h"
@@ -72,20 +74,13 @@ class Process {
   pid_t pid_ = -1;
 };
 
-bool there_is(const std::string& program) {
-  std::istringstream folders(std::getenv("PATH") != nullptr ? std::getenv("PATH") : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
-
 const std::string kRitz = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ritz";
 
 class WindowTest : public SessionScene {
  protected:
   void SetUp() override {
-    if (!there_is("Xvfb") || !there_is("xdotool")) GTEST_SKIP() << "Xvfb and xdotool are not installed: tests/run does";
+    if (!is_installed("Xvfb") || !is_installed("xdotool"))
+      GTEST_SKIP() << "Xvfb and xdotool are not installed: tests/run does";
     // Xvfb takes a display that is free and writes its number.
     display_ = std::make_unique<Process>(
         std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"},
@@ -159,6 +154,27 @@ class WindowTest : public SessionScene {
     return render::decode_png(read_all(file));
   }
 
+  // Records what was done, into the folder "replay".
+  void replayed(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {kRitz,
+                                          "record",
+                                          (folder_ / "beam.toml").string(),
+                                          "--replay",
+                                          (folder_ / "session.toml").string(),
+                                          "-o",
+                                          (folder_ / "replay").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ASSERT_EQ(Process(arguments, log("replay"), "").wait(60s), 0) << read_all(log("replay"));
+  }
+  static render::Image right_of(const render::Image& image, int left) {
+    render::Image right{image.width - left, image.height, {}};
+    for (int y = 0; y < image.height; ++y) {
+      const auto row = image.rgba.begin() + std::ptrdiff_t{4} * image.width * y;
+      right.rgba.insert(right.rgba.end(), row + std::ptrdiff_t{4} * left, row + std::ptrdiff_t{4} * image.width);
+    }
+    return right;
+  }
+
   std::string name_;
   int shots_ = 0;  // screenshots that there are
   std::unique_ptr<Process> display_;
@@ -169,6 +185,7 @@ TEST_F(WindowTest, IsDrivenByKeysAndMouseAndClosedCleanly) {
   const render::Image first = screenshot();
   for (int k = 0; k < 3; ++k) tool("key Right");
   tool("key Left");
+  for (int k = 0; k < 2; ++k) tool("key Right");  // to a step of which there is a frame
   tool("key w");
   tool("mousemove 450 200 mousedown 1");
   tool("mousemove 470 210");
@@ -185,13 +202,16 @@ TEST_F(WindowTest, IsDrivenByKeysAndMouseAndClosedCleanly) {
   EXPECT_EQ(std::ranges::count(what, "set"), 1);
   EXPECT_GE(std::ranges::count(what, "camera"), 4) << "orbit, pan, zoom";
   const SessionFile session = read_session(folder_ / "session.toml");
-  EXPECT_EQ(session.steps, 3);
+  EXPECT_EQ(session.steps, 5);
   EXPECT_FALSE(session.state_hash.empty());
-  // The picture in the window is the picture that is recorded: the screenshot, right of the panel, is a frame of the
-  // replay at that size.
-  ASSERT_EQ(last.width, 600);
-  ASSERT_EQ(last.height, 400);
   EXPECT_GT(render::compare(last, first, 40).share, 0.002) << "something has changed";
+  // The picture in the window is the picture that is recorded: the screenshot, right of the panel, is the last frame of
+  // the replay at that size.
+  replayed({"--size", "600x400", "--panel"});
+  const render::Image frame = render::decode_png(read_all(folder_ / "replay/frames/frame_00002.png"));
+  const int panel = Panel::width(600, 400);
+  EXPECT_LT(render::compare(right_of(frame, panel), right_of(last, panel), 8).share, 0.001);
+  EXPECT_GT(render::compare(right_of(frame, panel), right_of(first, panel), 40).share, 0.01);
 }
 
 TEST_F(WindowTest, PlaysPullsAndIsReplayedToTheSameState) {
@@ -207,10 +227,7 @@ TEST_F(WindowTest, PlaysPullsAndIsReplayedToTheSameState) {
   ASSERT_EQ(ritz->wait(10s), 0) << read_all(log("ritz"));
   const SessionFile session = read_session(folder_ / "session.toml");
   EXPECT_GT(session.steps, 5);
-  Process replay({kRitz, "record", (folder_ / "beam.toml").string(), "--replay", (folder_ / "session.toml").string(),
-                  "-o", (folder_ / "replay").string(), "--size", "64x48"},
-                 log("replay"), "");
-  ASSERT_EQ(replay.wait(60s), 0) << read_all(log("replay"));
+  replayed({"--size", "64x48"});
   EXPECT_NE(read_all(folder_ / "replay/run.json").find(session.state_hash), std::string::npos);
   EXPECT_EQ(read_all(log("replay")).find("note: the session ended"), std::string::npos);
 }

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "sim/build/parts.h"
-#include "sim/solve/cholesky.h"
+#include "sim/linear/cholesky.h"
 #include "sim/solve/tangent_operator.h"
 #include "tests/benchmark/beam.h"
 

@@ -1,10 +1,9 @@
 #include "tests/sim/allocations.h"
 
-#include <SuiteSparse_config.h>
-
 #include <atomic>
 #include <cstddef>
 
+#include "tests/sim/cholmod_memory.h"
 #include "tests/sim/stepping.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -47,9 +46,7 @@ bool can_count_allocations() {
   return true;
 }
 void start_counting() {
-  SuiteSparse_config.malloc_func = __libc_malloc;
-  SuiteSparse_config.calloc_func = __libc_calloc;
-  SuiteSparse_config.realloc_func = __libc_realloc;
+  give_memory_to_cholmod(__libc_malloc, __libc_calloc, __libc_realloc);
   count = 0;
   counting = true;
 }
@@ -80,8 +77,8 @@ TEST(Allocations, NoneInAStepAfterTheFirst) {
   if (!test::can_count_allocations()) GTEST_SKIP();
   for (const char* integrator :
        {"symplectic-euler", "central-difference", "backward-euler", "sdirk2", "tr-bdf2", "bdf2"})
-    for (const LinearSolverKind linear :
-         {LinearSolverKind::cholmod, LinearSolverKind::pcg, LinearSolverKind::pcg_assembled}) {
+    for (const LinearSolverKind linear : {LinearSolverKind::cholmod, LinearSolverKind::pcg,
+                                          LinearSolverKind::pcg_assembled, LinearSolverKind::two_level}) {
       Scene scene = test::beam("tet4", 2);
       scene.time.integrator = integrator;
       scene.time.substeps = 20;

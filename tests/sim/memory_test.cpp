@@ -1,9 +1,8 @@
 // No memory for the factor of the matrix: the run goes on without one, and says so.
-#include <SuiteSparse_config.h>
-
 #include <cstdlib>
 #include <limits>
 
+#include "tests/sim/cholmod_memory.h"
 #include "tests/sim/stepping.h"
 
 namespace sim {
@@ -25,15 +24,9 @@ class NoMemory : public testing::Test {
  protected:
   NoMemory() {
     most_bytes = std::numeric_limits<std::size_t>::max();
-    SuiteSparse_config.malloc_func = allocate;
-    SuiteSparse_config.calloc_func = allocate_zeros;
-    SuiteSparse_config.realloc_func = reallocate;
+    test::give_memory_to_cholmod(allocate, allocate_zeros, reallocate);
   }
-  ~NoMemory() override {
-    SuiteSparse_config.malloc_func = std::malloc;
-    SuiteSparse_config.calloc_func = std::calloc;
-    SuiteSparse_config.realloc_func = std::realloc;
-  }
+  ~NoMemory() override { test::give_memory_to_cholmod(std::malloc, std::calloc, std::realloc); }
   static Scene scene(LinearSolverKind linear) {
     Scene scene = test::beam("tet4", 4);
     scene.solver.linear = linear;

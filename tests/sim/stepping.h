@@ -41,6 +41,23 @@ inline Scene plate(const std::string& integrator, int substeps) {
   return scene;
 }
 
+// 2 x 1 x 1 m of soft rubber that is damped well enough to come to rest within the run.
+inline Scene block(const std::string& material, const std::string& scheme, const std::string& start,
+                   std::uint64_t seed) {
+  Scene scene;
+  Body body;
+  body.name = "block";
+  body.mesh = generate_box({2, 1, 1}, {4, 2, 2}, {1, 1, 1}, ElementKind::tet4);
+  body.materials = {MaterialSpec{material, 1e5, 0.45, 1000, ""}};
+  body.damping.alpha = 10;
+  body.start.shape = start;
+  scene.world.gravity.setZero();
+  scene.time.integrator = scheme;
+  scene.bodies = {body};
+  scene.seed = seed;
+  return scene;
+}
+
 struct Stepped {
   System system;
   State state;

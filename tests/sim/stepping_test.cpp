@@ -37,15 +37,15 @@ TEST(FreeFall, IsExact) {
 
 TEST(SameBits, ForAnyNumberOfThreads) {
   for (const char* element : {"tet4", "tet10", "hex8"})
-    for (const LinearSolverKind linear : {LinearSolverKind::cholmod, LinearSolverKind::pcg}) {
-      Scene scene = test::beam(element, 2);
+    for (const auto& [linear, name] : choices<LinearSolverKind>) {
+      Scene scene = test::beam(element, 3);
       scene.solver.linear = linear;
       Stepped one(scene, 1), two(scene, 2), four(scene, 4);
       one.steps(8);
       two.steps(8);
       four.steps(8);
-      EXPECT_EQ(hash(one.state), hash(two.state)) << element << " " << linear;
-      EXPECT_EQ(hash(one.state), hash(four.state)) << element << " " << linear;
+      EXPECT_EQ(hash(one.state), hash(two.state)) << element << " " << name_of(linear);
+      EXPECT_EQ(hash(one.state), hash(four.state)) << element << " " << name_of(linear);
     }
 }
 
@@ -163,7 +163,7 @@ TEST(Pins, FollowTheirScriptAndLetGo) {
 TEST(Solvers, AgreeWithEachOther) {
   Scene scene = test::beam("tet4", 2);
   scene.solver.tolerance = 1e-11;
-  Vec3 tip[4];
+  Vec3 tip[5];
   int k = 0;
   for (const auto& [linear, name] : choices<LinearSolverKind>) {
     scene.solver.linear = linear;
@@ -174,6 +174,7 @@ TEST(Solvers, AgreeWithEachOther) {
   EXPECT_LT((tip[0] - tip[1]).norm(), 1e-9);
   EXPECT_LT((tip[0] - tip[2]).norm(), 1e-9);
   EXPECT_LT((tip[0] - tip[3]).norm(), 1e-9);
+  EXPECT_LT((tip[0] - tip[4]).norm(), 1e-9);
   EXPECT_GT(tip[0].norm(), 0.1);
 }
 
@@ -205,10 +206,8 @@ TEST(Failures, LeaveTheStateAsItWas) {
   run.state.v[20] = 1e300;
   const std::uint64_t before = hash(run.state);
   const StepReport report = run.stepper->step(run.state);
-  if (!report.failure.empty()) {
-    EXPECT_EQ(hash(run.state), before);
-  }
-  EXPECT_TRUE(run.state.x.allFinite());
+  EXPECT_NE(report.failure, "");
+  EXPECT_EQ(hash(run.state), before);
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // Terms other than the elastic one: derivatives against differences, and what they do to a body.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <typeindex>
 
 #include "sim/build/parts.h"
 #include "sim/solve/tangent_operator.h"
@@ -9,13 +13,14 @@
 namespace sim {
 namespace {
 
-// A small beam with every term there is; nodes near the plane below and the sphere above it.
+// A small beam with every term there is: nodes near the plane below and the sphere above it.
 Scene everything() {
   Scene scene = test::beam("tet4", 1);
   Body& body = scene.bodies[0];
   body.pins.clear();
   body.damping = {0.7, 2e-3};
   body.tractions = {Traction{InGroup{"right"}, {300, -200, 500}, 0.0}};
+  body.untangle = 2;
   Obstacle floor{Plane{{0, 0, -0.002}, {0, 0, 1}}, 0.4}, ball{Sphere{{2, 0, 3.002}, 2}, 0.3};
   scene.obstacles = {floor, ball};
   scene.springs = {Spring{"beam", {2, 0.5, 0.5}, {2, 1, 1}, 5000}};
@@ -26,9 +31,15 @@ class Terms : public ::testing::Test {
  protected:
   Terms() : system_(everything()), parts_(parts_of(system_).model), tangent_(parts_, 1) {
     x_ = parts_.X + test::random_vector(parts_.dofs(), 5e-4, 1);
+    fold_the_corner();
     v_ = test::random_vector(parts_.dofs(), 0.01, 2);
     p_ = test::random_vector(parts_.dofs(), 1, 3);
     tangent_.begin_step({x_, v_, 0, 0});
+  }
+  // The corner (4, 1, 1) into the beam, which turns its elements inside out: what untangles has something to do.
+  void fold_the_corner() {
+    for (Eigen::Index i = 0; i < x_.size(); i += 3)
+      if (parts_.X.segment<3>(i) == Vec3(4, 1, 1)) x_[i] -= 1.5;
   }
   // Inside a stage v moves with x: v = v_0 + (x - x_0) rate.
   template <class F>
@@ -87,13 +98,26 @@ TEST_F(Terms, ProductDiagonalAndMatrixAreTheDerivativeOfTheForce) {
   }
 }
 
+// A term that is added to sim/term must be added to everything(), or nothing here tries its derivatives.
+TEST_F(Terms, AreAllThatThereAre) {
+  std::set<std::type_index> here;
+  for (const auto& term : parts_.terms) here.insert(typeid(*term));
+  std::size_t classes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(RITZ_SOURCE_DIR "/sim/term")) {
+    std::ifstream header(entry.path());
+    for (std::string line; std::getline(header, line);) classes += line.find(": public Term {") != std::string::npos;
+  }
+  EXPECT_EQ(here.size(), classes);
+}
+
 TEST(Construction, OnlyWhatTheSceneNames) {
   const auto names = [](const Scene& scene) {
     std::string all;
     for (const TermInfo& term : System(scene).terms()) all += term.name + ";";
     return all;
   };
-  EXPECT_EQ(names(everything()), "elastic beam;gravity;traction beam;damping beam;obstacle;obstacle;spring beam;");
+  EXPECT_EQ(names(everything()),
+            "elastic beam;gravity;traction beam;untangle beam;damping beam;obstacle;obstacle;spring beam;");
   Scene bare = test::beam("tet4", 1);
   EXPECT_EQ(names(bare), "elastic beam;gravity;");
   bare.world.gravity = {0, 0, 0};

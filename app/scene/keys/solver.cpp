@@ -15,8 +15,9 @@ std::vector<Key> solver_keys() {
   return {
       {"solver", Kind::table, {}, "How the equations of an implicit step are solved."},
       {"solver.linear", Form(Kind::choice).of(names_of<sim::LinearSolverKind>), field<solver_of, &sim::Solver::linear>,
-       "Linear solver inside Newton's method: \"cholmod\" factorises the matrix, \"pcg\" iterates and forms none, "
-       "\"pcg-assembled\" iterates on it, \"auto\" chooses by size and by counts of iterations."},
+       "Linear solver inside Newton's method: \"two-level\" iterates on the matrix and on a coarse one, \"cholmod\" "
+       "factorises the matrix, \"pcg\" iterates and forms none, \"pcg-assembled\" iterates on it alone, \"auto\" "
+       "chooses by size and by counts of iterations."},
       {"solver.tolerance", Form(Kind::number, "body sizes/s", inside(0, 1)), field<solver_of, &sim::Solver::tolerance>,
        "Newton's method stops when max |dx|/(g h) is below it; dx is the last change of the positions, h the step and "
        "g the integrator's share of it."},

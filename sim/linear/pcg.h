@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 namespace sim {
 
@@ -10,6 +12,16 @@ struct PcgResult {
   bool converged = false;
   bool positive_definite = true;  // false: a direction of negative curvature was met, x is what was reached before it
 };
+
+// Negative curvature at once: there is no direction to use. Later: what was reached is one.
+inline bool usable(const PcgResult& result) {
+  return result.positive_definite || result.iterations > 1;
+}
+
+// In exact arithmetic n iterations solve any system of n unknowns; round-off asks for some more where n is small.
+inline int iteration_limit(Eigen::Index n) {
+  return 100 + static_cast<int>(std::min<Eigen::Index>(n, 20000));
+}
 
 // Vectors that outlive a solve, so that none is allocated in the next.
 struct PcgScratch {

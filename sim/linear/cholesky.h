@@ -33,6 +33,7 @@ class Cholesky {
   // memory (a factor 8 on common machines). Follows from the pattern alone.
   double solves_per_factor() const { return solves_per_factor_; }
   std::int64_t factor_nonzeros() const { return factor_nonzeros_; }
+  double factor_operations() const { return factor_operations_; }
 
  private:
   void free_all();
@@ -45,7 +46,7 @@ class Cholesky {
   cholmod_dense_struct* work_e_ = nullptr;
   std::vector<std::size_t> source_;  // of each entry of the matrix, in the values of A
   std::vector<int> dof_;             // of each row
-  double solves_per_factor_ = 0;
+  double solves_per_factor_ = 0, factor_operations_ = 0;
   std::int64_t factor_nonzeros_ = 0;
 };
 

@@ -1,7 +1,8 @@
-#include "sim/solve/cholesky.h"
+#include "sim/linear/cholesky.h"
 
 #include <cblas.h>
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@ Cholesky::Cholesky() : common_(new cholmod_common) {
   cholmod_start(common_);
   common_->print = 0;
   common_->quick_return_if_not_posdef = 1;
+  common_->final_ll = 1;  // the L D L' of small matrices would pass over negative pivots
   common_->error_handler = [](int, const char*, int, const char*) {};
 }
 
@@ -62,6 +64,7 @@ bool Cholesky::analyse(const BlockMatrix& A, const Eigen::VectorXd& free) {
   factor_ = cholmod_analyze(matrix_, common_);
   if (!factor_) return false;
   factor_nonzeros_ = static_cast<std::int64_t>(common_->lnz);
+  factor_operations_ = common_->fl;
   solves_per_factor_ = common_->fl / (8 * 4 * std::max(common_->lnz, 1.0));
   return true;
 }
@@ -69,7 +72,11 @@ bool Cholesky::analyse(const BlockMatrix& A, const Eigen::VectorXd& free) {
 Cholesky::Status Cholesky::factorise(const BlockMatrix& A) {
   auto* values = static_cast<double*>(matrix_->x);
   for (std::size_t k = 0; k < source_.size(); ++k) values[k] = A.values()[source_[k]];
+  // CHOLMOD opens teams of its own, of four threads whatever the machine has: none within this one.
+  const int levels = omp_get_max_active_levels();
+  omp_set_max_active_levels(0);
   cholmod_factorize(matrix_, factor_, common_);
+  omp_set_max_active_levels(levels);
   if (common_->status == CHOLMOD_NOT_POSDEF) return Status::not_positive_definite;
   return common_->status >= CHOLMOD_OK ? Status::done : Status::out_of_memory;
 }
