@@ -11,7 +11,8 @@ std::vector<std::unique_ptr<Exhibit>> make_exhibits(const Document& document, co
     try {
       all.push_back(find_exhibit_kind(spec.kind)->make({document.scene, system, spec}));
     } catch (const sim::InputError& error) {
-      throw located(sim::InputError("exhibit." + std::to_string(k) + "." + error.key, error.what()), document.places);
+      const sim::InputError whole("exhibit." + std::to_string(k) + "." + error.key, error.what());
+      throw SceneError(located(whole, document.places).message);
     }
   }
   return all;

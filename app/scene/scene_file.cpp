@@ -64,8 +64,8 @@ void make_bodies(Document& document, const std::filesystem::path& folder, const 
 }
 
 // Where nodes start that a file tells.
-void read_start(std::filesystem::path& file, const std::filesystem::path& folder, int dimension, const std::string& path,
-                sim::Start& start) {
+void read_start(std::filesystem::path& file, const std::filesystem::path& folder, int dimension,
+                const std::string& path, sim::Start& start) {
   if (file.empty()) return;
   file = folder / file;
   try {
