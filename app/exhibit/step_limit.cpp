@@ -92,7 +92,7 @@ class StepLimit : public Exhibit {
   render::Diagram curves(int step) const {
     render::Diagram d{.place = {0.01, 0.11, 0.61, 0.58}, .title = "largest displacement over steps, m", .axes = true};
     d.x = {0, kSteps};
-    d.y = {-13, 2};
+    d.y = {-15, 3};
     d.logarithmic = true;
     for (const Run& run : runs_) {
       render::Stroke stroke{{}, run.ink, false, run.implicit};
