@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "render/sheet.h"
+
 namespace render {
 
 using Point = std::array<float, 3>;   // x, y, z; z = 0 in a 2D scene
@@ -117,6 +119,7 @@ struct Look {
   bool axes = false;         // ticks along the left and lower edges; orthographic cameras only
   bool scale_bar = false;    // a bar of round length; orthographic cameras only
   std::string length = "m";  // unit beside ticks and scale bar
+  bool lecture = false;      // large letters and thick dark lines, to be read from the last row
 };
 
 struct Frame {
@@ -131,6 +134,7 @@ struct Frame {
   std::vector<Marker> markers;
   std::vector<Label> labels;
   std::vector<Strip> strips;
+  std::optional<Sheet> sheet;
   std::string title;    // upper left; lines are parted by \n
   std::string caption;  // lower left
   Look look;

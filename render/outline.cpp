@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/diagram.h"
+
 namespace render {
 namespace {
 
@@ -23,7 +25,7 @@ void draw_outline(const Page& page, const Surface& surface, const View& view, Im
 }  // namespace
 
 void draw_outlines(const Page& page, const Frame& frame, const View& view) {
-  const float thickness = std::max(1.0F, page.height / 520);
+  const float thickness = frame.look.lecture ? line_width(page) : std::max(1.0F, page.height / 520);
   for (const Surface& surface : frame.surfaces) {
     if (surface.flat) draw_outline(page, surface, view, IM_COL32(26, 30, 38, 255), thickness);
   }

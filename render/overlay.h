@@ -26,12 +26,17 @@ class Overlay {
   void draw(const Frame& frame, const View& view);
 
  private:
-  void load_fonts();
+  // For the usual look, or for the lecture's.
+  void load_fonts(bool lecture);
+  void draw_sheet(const Frame& frame) const;
   void draw_labels(const Frame& frame, const View& view) const;
   void draw_words(const Frame& frame, const View& view, ImVec2 strips) const;
 
+  const GladGLContext& gl_;
   ImGuiContext* imgui_;
   Page page_;
+  bool lecture_ = false;       // what the fonts were loaded for
+  ImFont* formula_ = nullptr;  // of the lecture
   std::optional<DrawDataPainter> painter_;
 };
 

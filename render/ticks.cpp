@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace render {
 
@@ -42,6 +43,13 @@ std::vector<std::string> tick_labels(const std::vector<double>& values) {
     labels.emplace_back(text.data());
   }
   return labels;
+}
+
+std::string power_of_ten(int exponent) {
+  static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+  return text;
 }
 
 }  // namespace render

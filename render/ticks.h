@@ -16,4 +16,7 @@ std::vector<double> ticks(double low, double high, int wanted);
 // The numbers as short as they can be told apart: equal decimals, or an exponent where they are very large or small.
 std::vector<std::string> tick_labels(const std::vector<double>& values);
 
+// "10⁻³"
+std::string power_of_ten(int exponent);
+
 }  // namespace render

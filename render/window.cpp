@@ -54,10 +54,12 @@ void move_mouse(ImGuiIO& io, ImVec2 place) {
 #endif
 }
 
-constexpr std::array<std::pair<int, Key>, 7> known_keys = {{{GLFW_KEY_SPACE, Key::space},
+constexpr std::array<std::pair<int, Key>, 9> known_keys = {{{GLFW_KEY_SPACE, Key::space},
                                                             {GLFW_KEY_LEFT, Key::left},
                                                             {GLFW_KEY_RIGHT, Key::right},
                                                             {GLFW_KEY_BACKSPACE, Key::backspace},
+                                                            {GLFW_KEY_PAGE_UP, Key::page_up},
+                                                            {GLFW_KEY_PAGE_DOWN, Key::page_down},
                                                             {GLFW_KEY_ESCAPE, Key::escape},
                                                             {GLFW_KEY_TAB, Key::tab},
                                                             {GLFW_KEY_F1, Key::f1}}};

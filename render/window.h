@@ -19,7 +19,7 @@ struct NoDisplay : std::runtime_error {
 enum class Button { left, right, middle };
 
 // Keys that stand for something in the program; others are a Gui's.
-enum class Key { space, left, right, backspace, escape, tab, f1, letter };
+enum class Key { space, left, right, backspace, escape, tab, f1, page_up, page_down, letter };
 
 // What the user did, in the order it was done. Places are pixels of the framebuffer from its upper left corner.
 struct WindowEvent {

@@ -58,6 +58,7 @@ struct Pin {
   std::string axes = "xyz";       // which components are prescribed
   std::vector<Keyframe> motion;   // empty: it stays where it is
   std::optional<double> release;  // s; from then on the nodes are free
+  bool at_start = false;          // they are held where the body starts, not where it is at rest
 };
 
 struct Traction {
@@ -82,6 +83,9 @@ struct Start {
   std::optional<double> amount;        // how much; its unit depends on the shape
   std::optional<Vec3> direction;       // unit
   std::optional<double> perturbation;  // of the body's size: largest random displacement of each component
+  std::vector<double> matrix;          // "affine": A by rows, as many numbers as the scene has dimensions squared
+  std::vector<Vec3> nodes;             // "nodes": where each node of the mesh is [m]
+  int mode = 1;                        // "mode": number of the vibration mode, the slowest is 1
 };
 
 struct Body {

@@ -168,6 +168,16 @@ void add_stress_options(CLI::App& command, Options& options) {
       ->type_name("PATTERN");
 }
 
+void add_modes_options(CLI::App& command, Options& options) {
+  command.add_option("-n,--count", options.count, "How many modes of each body, the slowest first")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("K")
+      ->capture_default_str();
+  add_named(command, "-o,--out", options.out, "Folder; out/modes/NAME of the scene file when not given", "DIR");
+  command.add_flag("--overwrite", options.overwrite, "Replace what an earlier command left in the folder");
+  add_size_options(command, options, "Size of a picture in pixels [1280x720]");
+}
+
 void add_residual_options(CLI::App& command, Options& options) {
   add_named(command, "PROBLEM", options.problem,
             "Problem file (TOML); those of assets/lectures/problems when not given", "TEXT");
@@ -203,11 +213,12 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
 
   for (const Command& command : commands()) app.add_subcommand(std::string(command.name), std::string(command.what));
   const auto command = [&](const char* name) -> CLI::App& { return *app.get_subcommand(name); };
-  for (const char* const name : {"record", "run", "view", "explain", "trade"})
+  for (const char* const name : {"record", "run", "view", "explain", "trade", "modes"})
     add_scene_options(command(name), options);
   for (const char* const name : {"record", "run"}) add_output_options(command(name), options);
   add_picture_options(command("record"), options);
   add_window_options(command("view"), options);
+  add_modes_options(command("modes"), options);
   add_expect_options(command("record"), options);
   add_trade_output_options(command("trade"), options);
   add_trade_options(command("trade"), options.trade);

@@ -13,6 +13,7 @@ std::span<const Command> commands() {
       {"view", "The window: watch, pull, change parameters", view},
       {"explain", "What is modelled and what it costs, before a step is taken", explain},
       {"trade", "Speed against accuracy, measured: table, plot, advice", trade},
+      {"modes", "Vibration modes of the bodies and their frequencies, drawn", modes},
       {"stress", "Stability at the extremes, measured: table and CSV", stress},
       {"residuals", "The weighted residual methods of the lecture, side by side: table, CSV, diagrams", residuals},
       {"scenes", "The scenes that come with it, by the names that every command takes", scenes},

@@ -26,6 +26,7 @@ int view(const Options& options);
 int explain(const Options& options);
 int trade(const Options& options);
 int stress(const Options& options);
+int modes(const Options& options);
 int residuals(const Options& options);
 int scenes(const Options& options);
 

@@ -6,6 +6,7 @@
 #include "app/scene/key_reference.h"
 #include "app/scene/keys.h"
 #include "app/scene/simulation.h"
+#include "sim/study/explicit_limit.h"
 
 namespace app {
 namespace {
@@ -21,7 +22,7 @@ void print_line(const std::string& name, const std::string& value) {
   std::cout << "  " << name << std::string(name.size() < width ? width - name.size() : 1, ' ') << value << '\n';
 }
 
-void print_time(const Simulation& simulation) {
+void print_time(const Simulation& simulation, int threads) {
   const sim::Time& time = simulation.document.scene.time;
   const sim::System& system = *simulation.system;
   std::cout << "time\n";
@@ -32,7 +33,8 @@ void print_time(const Simulation& simulation) {
   print_line("steps",
              std::to_string(simulation.last_step()) + ", " + std::to_string(system.steps_per_frame()) + " per frame");
   print_line("step h", formatted("%.6g s", system.step_seconds()));
-  print_line("stable h", formatted("%.3g s", system.stable_step()) + " at most in an explicit scheme");
+  const double limit = sim::explicit_limit(simulation.document.scene, system, threads);
+  print_line("stable h", formatted("%.3g s", limit) + " at most in an explicit scheme");
 }
 
 void print_terms(const sim::System& system) {
@@ -74,7 +76,7 @@ int explain(const Options& options) {
   }
   const Simulation simulation = build_simulation(options);
   std::cout << simulation.document.title << '\n';
-  print_time(simulation);
+  print_time(simulation, options.threads);
   print_terms(*simulation.system);
   print_costs(*simulation.system);
   print_changed_keys(simulation.document);

@@ -10,6 +10,7 @@
 #include "app/base/output_file.h"
 #include "app/base/stopwatch.h"
 #include "app/command/commands.h"
+#include "app/scene/deck.h"
 #include "app/view/workbench.h"
 #include "render/gui.h"
 #include "render/png.h"
@@ -101,7 +102,10 @@ void run(Workbench& bench, Screen& screen) {
 
 }  // namespace
 
-int view(const Options& options) {
+int view(const Options& given) {
+  Options options = given;
+  options.deck = pages_of(given.scene);
+  options.scene = options.deck.front();
   auto session = std::make_unique<Session>(options);
   try {
     Screen screen(options, "Ritz: " + options.scene.filename().string());

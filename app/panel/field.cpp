@@ -47,6 +47,19 @@ void draw_numbers(const Key& key, std::vector<double>& list, int dimension) {
   const auto row = [](const char* label, double* first, int count) {
     ImGui::InputScalarN(label, ImGuiDataType_Double, first, count, nullptr, nullptr, kFormat);
   };
+  // The first `shown` of every `stride` numbers on a line of their own; of long lists as many as a panel has room for.
+  const auto rows = [&](std::vector<double>& all, int stride, int shown) {
+    constexpr std::size_t most = 12;
+    const std::size_t lines = std::min(most, all.size() / static_cast<std::size_t>(stride));
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < lines; ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      ImGui::SetNextItemWidth(-1);
+      row("##row", all.data() + i * static_cast<std::size_t>(stride), shown);
+      ImGui::PopID();
+    }
+    ImGui::EndGroup();
+  };
   switch (key.kind) {
     case Kind::point:
     case Kind::direction:
@@ -63,6 +76,10 @@ void draw_numbers(const Key& key, std::vector<double>& list, int dimension) {
       ImGui::SetNextItemWidth(-1);
       row("##radius", list.data() + 3, 1);
       return ImGui::EndGroup();
+    case Kind::matrix:
+      return rows(list, dimension, dimension);
+    case Kind::points:
+      return rows(list, 3, dimension);
     default:
       return row("##value", list.data(), static_cast<int>(list.size()));
   }

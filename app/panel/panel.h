@@ -28,6 +28,8 @@ enum class Action {
   screenshot,
   help,
   hide_panel,
+  page_back,
+  page_on,
   wireframe,
   quit,
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/exhibit/exhibit.h"
 #include "app/picture/colour_values.h"
 #include "app/picture/energies.h"
 
@@ -23,6 +24,29 @@ void FrameHistory::follow(const Simulation& simulation) {
   coloured_ = free_range(simulation.document.look);
   shows_energies_ = simulation.document.look.energies;
   if (!shows_energies_) energies_.clear();
+  follow_exhibits(simulation);
+}
+
+// Anew where the system is another, or what they are to show.
+void FrameHistory::follow_exhibits(const Simulation& simulation) {
+  if (exhibited_ == simulation.system && specs_ == simulation.document.exhibits) return;
+  exhibits_ = make_exhibits(simulation.document, *simulation.system);
+  exhibited_ = simulation.system;
+  specs_ = simulation.document.exhibits;
+}
+
+std::vector<Ring> FrameHistory::rings(const sim::State& state) const {
+  std::vector<Ring> all;
+  render::Sheet sheet;
+  for (std::size_t k = 0; k < exhibits_.size(); ++k) {
+    const std::size_t first = sheet.diagrams.size();
+    exhibits_[k]->show(state, sheet);
+    for (Grip& grip : exhibits_[k]->grips(state)) {
+      const render::Diagram& diagram = sheet.diagrams[first + grip.diagram];
+      all.push_back({"exhibit." + std::to_string(k) + "." + grip.key, std::move(grip), diagram});
+    }
+  }
+  return all;
 }
 
 void FrameHistory::add(const sim::State& state, LargestShown& largest) {
@@ -30,6 +54,7 @@ void FrameHistory::add(const sim::State& state, LargestShown& largest) {
     double& reach = largest[static_cast<std::size_t>(*coloured_)];
     reach = std::max(reach, reach_of(*coloured_, system_->node_values(state, *coloured_)));
   }
+  for (const auto& exhibit : exhibits_) exhibit->note(state);
   if (!shows_energies_) return;
   const Energies now = energies_of(*system_, state);
   std::erase_if(energies_, [&](const Energies& other) { return other.t >= now.t; });
@@ -39,6 +64,9 @@ void FrameHistory::add(const sim::State& state, LargestShown& largest) {
 void FrameHistory::fill(const LargestShown& largest, Moment& moment) const {
   if (coloured_) moment.largest = largest[static_cast<std::size_t>(*coloured_)];
   moment.energies = energies_;
+  if (exhibits_.empty()) return;
+  moment.sheet.emplace();
+  for (const auto& exhibit : exhibits_) exhibit->show(moment.state, *moment.sheet);
 }
 
 }  // namespace app

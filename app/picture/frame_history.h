@@ -1,13 +1,23 @@
-// What a picture knows of the frames before it: the largest value shown in colour, and energies over time.
+// What a picture knows of the frames before it: the largest value shown in colour, energies over time, and what the
+// exhibits have kept.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "app/exhibit/exhibit.h"
 #include "app/picture/moment.h"
 #include "app/scene/simulation.h"
 
 namespace app {
+
+// A ring of an exhibit, the key of the scene that it sets, and the diagram that it is in.
+struct Ring {
+  std::string key;
+  Grip grip;
+  render::Diagram diagram;
+};
 
 class FrameHistory {
  public:
@@ -16,18 +26,25 @@ class FrameHistory {
   // Goes on after frames of which these energies are known.
   FrameHistory(const Simulation& simulation, std::vector<Energies> before);
 
-  // From now on frames are of this simulation.
+  // From now on frames are of this simulation. Throws SceneError where an exhibit has not what it shows.
   void follow(const Simulation& simulation);
   // Takes the next frame in (one that is earlier than others replaces them), and its largest value into `largest`,
   // which is saved with the state.
   void add(const sim::State& state, LargestShown& largest);
-  // What is known of the frames so far, put into a moment.
+  // What is known of the frames so far, put into a moment, with what the exhibits show of its state.
   void fill(const LargestShown& largest, Moment& moment) const;
+  // What can be dragged in a picture of this state.
+  std::vector<Ring> rings(const sim::State& state) const;
 
  private:
+  void follow_exhibits(const Simulation& simulation);
+
   const sim::System* system_ = nullptr;
   std::optional<sim::Quantity> coloured_;  // whose range comes from the values
   bool shows_energies_ = false;
+  std::shared_ptr<const sim::System> exhibited_;  // that the exhibits were made for
+  std::vector<ExhibitSpec> specs_;                // and of these
+  std::vector<std::unique_ptr<Exhibit>> exhibits_;
   std::vector<Energies> energies_;
 };
 

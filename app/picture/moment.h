@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "render/sheet.h"
 #include "sim/report.h"
 #include "sim/state.h"
 
@@ -22,10 +24,11 @@ struct Moment {
   std::int64_t frame = 0;
   int newton = 0;  // iterations of the step that led here
   sim::State state = {};
-  double min_J = 1;                     // smallest det F after that step
-  double largest = 0;                   // value that a frame so far has shown in colour (colour_values.h)
-  std::vector<Energies> energies = {};  // of the frames so far; empty where no picture shows them
-  sim::StepReport report = {};          // of that step
+  double min_J = 1;                         // smallest det F after that step
+  double largest = 0;                       // value that a frame so far has shown in colour (colour_values.h)
+  std::vector<Energies> energies = {};      // of the frames so far; empty where no picture shows them
+  sim::StepReport report = {};              // of that step
+  std::optional<render::Sheet> sheet = {};  // what the exhibits show; none where there is none
 };
 
 }  // namespace app

@@ -1,7 +1,10 @@
 #include "app/picture/picture.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "app/picture/caption.h"
@@ -43,19 +46,24 @@ render::Surface ghost_of(const render::Surface& surface) {
 
 render::Look look_of(const Look& look, bool plane) {
   render::Look shown;
-  const bool paper = look.background ? *look.background == "paper" : plane;
+  const bool paper = look.background ? *look.background == "paper" : plane || look.style == "lecture";
   shown.background = paper ? render::Background::paper : render::Background::studio;
   shown.wireframe = look.wireframe;
   shown.shadow = shown.occlusion = look.shadows;
   shown.axes = look.axes;
   shown.scale_bar = look.scale_bar;
+  shown.lecture = look.style == "lecture";
   return shown;
 }
 
 }  // namespace
 
 Picture::Picture(const sim::System& system, const Document& document, double aspect)
-    : system_(system), document_(document), camera_path_(system, document, aspect), arrows_(system, document) {
+    : system_(system),
+      document_(document),
+      aspect_(aspect),
+      camera_path_(system, document, aspect),
+      arrows_(system, document) {
   const Look& look = document.look;
   const bool plane = system.dimension() == 2;
   for (const sim::BodyRange& body : system.bodies()) {
@@ -85,13 +93,44 @@ render::Frame Picture::frame(const Moment& moment) const {
     frame.surfaces[i].positions = surfaces_[i].points(x);
   }
   frame.camera = camera_path_.at(moment.state);
+  if (moment.sheet) lay_sheet(*moment.sheet, frame);
   add_values(moment, frame);
   if (look.pins) add_pins(moment.state, frame);
   arrows_.add(moment.state, frame.arrows);
   if (look.labels.value_or(surfaces_.size() > 1)) add_labels(frame);
   if (look.energies) frame.strips.push_back(energy_strip(moment.energies, document_.scene.time.seconds));
-  frame.caption = caption(look.caption, system_, moment);
+  if (!moment.sheet) frame.caption = caption(look.caption, system_, moment);
   return frame;
+}
+
+// Beside a sheet the bodies have a part of the page: what the whole picture would show is seen smaller, and its middle
+// is the middle of that part. The picture's own marks give way to the sheet's.
+void Picture::lay_sheet(const render::Sheet& sheet, render::Frame& frame) const {
+  frame.sheet = sheet;
+  if (!sheet.bodies) {
+    frame.surfaces.clear();
+    frame.ghosts.clear();
+    frame.ground.reset();
+    return;
+  }
+  const render::Box& part = sheet.picture;
+  const double share = std::min(part.right - part.left, part.bottom - part.top);
+  render::Camera& camera = frame.camera;
+  const auto vector = [](const render::Point& p) { return Vec3(p[0], p[1], p[2]); };
+  const Vec3 arm = vector(camera.eye) - vector(camera.target);
+  double extent = camera.height / share;  // visible height at the target, m
+  if (!camera.orthographic) {
+    const double half = std::tan(camera.field_of_view * std::numbers::pi / 360) / share;
+    camera.field_of_view = static_cast<float>(2 * std::atan(half) * 180 / std::numbers::pi);
+    extent = 2 * half * arm.norm();
+  }
+  const Vec3 right = vector(camera.up).cross(arm).normalized(), up = arm.cross(right).normalized();
+  const Vec3 shift = (0.5 - (part.left + part.right) / 2) * aspect_ * extent * right -
+                     (0.5 - (part.top + part.bottom) / 2) * extent * up;
+  const Vec3 target = vector(camera.target) + shift;
+  camera.height = static_cast<float>(extent);
+  camera.target = to_point(target);
+  camera.eye = to_point(target + arm);
 }
 
 void Picture::add_values(const Moment& moment, render::Frame& frame) const {

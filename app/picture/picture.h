@@ -26,9 +26,11 @@ class Picture {
   void add_values(const Moment& moment, render::Frame& frame) const;
   void add_pins(const sim::State& state, render::Frame& frame) const;
   void add_labels(render::Frame& frame) const;
+  void lay_sheet(const render::Sheet& sheet, render::Frame& frame) const;
 
   const sim::System& system_;
   const Document& document_;
+  double aspect_;
   std::vector<Surface> surfaces_;  // body by body
   render::Frame still_;            // a frame that lacks what changes
   CameraPath camera_path_;

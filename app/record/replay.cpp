@@ -11,6 +11,7 @@
 #include "app/mesh/contents.h"
 #include "app/picture/frame_history.h"
 #include "app/record/recorder.h"
+#include "app/run/numbers_log.h"
 #include "app/run/run_json.h"
 #include "app/run/run_start.h"
 #include "app/scene/scene_identity.h"
@@ -29,13 +30,15 @@ Options options_of(const SessionFile& file, Options options) {
 
 class Replayer {
  public:
-  Replayer(const SessionFile& file, const Options& options, Session& session, Recorder& recorder, Outcome& outcome)
+  Replayer(const SessionFile& file, const Options& options, Session& session, const RunFolder& folder,
+           Recorder& recorder, Outcome& outcome)
       : file_(file),
         session_(session),
         recorder_(recorder),
         outcome_(outcome),
         shown_(session.simulation()),
         history_(*shown_),
+        numbers_(folder),
         progress_(std::cerr, progress_style(options.quiet), {0, file.steps, shown_->system->step_seconds()},
                   Progress::Clock::now()) {}
 
@@ -51,6 +54,7 @@ class Replayer {
       }
     }
     recorder_.finish();
+    numbers_.close();
     outcome_.run.state = session_.state();
     progress_.finish(session_.steps(), Progress::Clock::now());
   }
@@ -92,6 +96,7 @@ class Replayer {
                   .min_J = report.min_J,
                   .report = report};
     history_.fill(outcome_.run.totals.largest, moment);
+    numbers_.add(moment);
     recorder_.add(std::move(moment), {});
   }
 
@@ -101,6 +106,7 @@ class Replayer {
   Outcome& outcome_;
   std::shared_ptr<const Simulation> shown_;
   FrameHistory history_;
+  NumbersLog numbers_;
   std::size_t next_ = 0;
   std::int64_t frames_ = 0;
   Progress progress_;
@@ -128,7 +134,7 @@ int replay(const Options& options) {
   folder.clear();
   Outcome outcome;
   Recorder recorder(session.simulation(), folder, used);
-  Replayer(file, used, session, recorder, outcome).go();
+  Replayer(file, used, session, folder, recorder, outcome).go();
   // The last simulation stands for the session, whose scene changed.
   Simulation last = *session.simulation();
   last.build_seconds = building;

@@ -12,6 +12,7 @@
 #include "app/base/stopwatch.h"
 #include "app/base/text.h"
 #include "app/picture/frame_history.h"
+#include "app/run/numbers_log.h"
 #include "app/run/read_energies.h"
 #include "app/run/run_json.h"
 #include "app/run/run_log.h"
@@ -38,6 +39,7 @@ class Runner {
              start.resumed ? std::optional(start.run.state.step) : std::nullopt),
         history_(simulation, start.resumed ? read_energies(folder.steps(), system_, start.run.state.step)
                                            : std::vector<Energies>()),
+        numbers_(folder),
         progress_(std::cerr, progress_style(options.quiet),
                   {start.run.state.step, simulation.last_step(), system_.step_seconds()}, Progress::Clock::now()) {
     if (vtu_every_ > 0) make_folder(folder_.vtu_folder());
@@ -93,6 +95,7 @@ class Runner {
     }
     Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J, .report = report};
     history_.fill(outcome_.run.totals.largest, moment);
+    numbers_.add(moment);
     sink_.add(std::move(moment), std::move(checkpoint));
   }
 
@@ -101,6 +104,7 @@ class Runner {
     sink_.finish();
     log_.sync();
     log_.close();
+    numbers_.close();
     write_state_file(folder_.state(), outcome_.run);
     if (vtu_every_ > 0) write_pvd();
     progress_.finish(state().step, Progress::Clock::now());
@@ -126,6 +130,7 @@ class Runner {
   std::unique_ptr<sim::Stepper> stepper_;
   RunLog log_;
   FrameHistory history_;
+  NumbersLog numbers_;
   Progress progress_;
   Interrupt interrupt_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/scene/body_mesh.h"
+#include "app/scene/exhibit_spec.h"
 #include "app/scene/look.h"
 #include "app/scene/scene_error.h"
 #include "sim/scene.h"
@@ -16,10 +17,12 @@ namespace app {
 struct Document {
   std::string title;
   sim::Scene scene;
-  std::vector<MeshSpec> meshes;                 // body by body: the description that scene.bodies[i].mesh was made from
-  std::vector<std::optional<Vec3>> references;  // probe by probe: the displacement it should have at the end [m]
+  std::vector<MeshSpec> meshes;  // body by body: the description that scene.bodies[i].mesh was made from
+  std::vector<std::filesystem::path> start_files;  // body by body: that scene.bodies[i].start.nodes came from; or empty
+  std::vector<std::optional<Vec3>> references;     // probe by probe: the displacement it should have at the end [m]
   Camera camera;
   Look look;
+  std::vector<ExhibitSpec> exhibits;
   std::vector<std::string> remarks;  // what the user should know: step chosen, elements mended
   Places places;                     // of every key that was given
 };

@@ -11,8 +11,9 @@ namespace {
 
 std::vector<Key> make_keys() {
   std::vector<Key> table;
-  for (const auto part : {time_keys, solver_keys, world_keys, body_keys, start_keys, mesh_keys, material_keys, pin_keys,
-                          load_keys, obstacle_keys, contact_keys, spring_keys, probe_keys, camera_keys, look_keys}) {
+  for (const auto part :
+       {time_keys, solver_keys, world_keys, body_keys, start_keys, mesh_keys, material_keys, pin_keys, load_keys,
+        obstacle_keys, contact_keys, spring_keys, probe_keys, camera_keys, look_keys, exhibit_keys}) {
     append(table, part());
   }
   for (Key& key : table) {
@@ -50,6 +51,7 @@ const std::vector<Alternatives>& alternatives() {
       {"body[].mesh", {"box", "rectangle", "sheet", "file"}, true},
       {"body[].pin[]", {"box", "sphere", "group"}, true},
       {"body[].traction[]", {"box", "sphere", "group"}, true},
+      {"body[].start", {"nodes", "file"}, false},
       {"obstacle[]", {"plane", "sphere"}, true},
   };
   return table;
@@ -177,6 +179,10 @@ std::string kind_text(const Form& form) {
       return points("a box [[x, y, z], [x, y, z]]", "[[x, y], [x, y]]");
     case Kind::ball:
       return points("a ball [[x, y, z], radius]", "[[x, y], radius]");
+    case Kind::matrix:
+      return points("three rows of three numbers", "two rows of two");
+    case Kind::points:
+      return points("a list of points [[x, y, z], ...]", "[[x, y], ...]");
   }
   return {};
 }

@@ -36,6 +36,8 @@ enum class Kind {
   axis,       // three numbers in 2D too, made unit; in a 2D scene +-z
   box,        // [low, high], two points; the value has 6 numbers
   ball,       // [centre, radius]; the value has 4 numbers
+  matrix,     // rows of as many numbers as the scene has dimensions; the value has them row by row
+  points,     // a list of points, as many as there are; the value has 3 numbers for each
 };
 
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<std::string>>;

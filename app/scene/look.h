@@ -32,6 +32,7 @@ struct Camera {
 };
 
 struct Look {
+  std::string style = "usual";                 // "usual" | "lecture": to be read from the last row of a hall
   std::string colour = "plain";                // "plain" | "stress" (von Mises) | "stretch" | "energy" | "J"
   std::optional<std::array<double, 2>> range;  // values at the ends of the colour map; none: from the values themselves
   std::optional<std::string> colour_map;       // one of render/colour_map.h; none: what suits the values

@@ -6,6 +6,7 @@
 
 #include "app/base/nearest.h"
 #include "app/scene/caption_names.h"
+#include "app/scene/exhibits.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/locate.h"
 
@@ -127,6 +128,18 @@ void check_body_name(const sim::Scene& scene, const std::string& name, const std
   mistakes.refuse(path, "there is no such body; there are: " + listed(names) + suggestion(name, views));
 }
 
+// A kind has its own keys among those of all exhibits.
+void check_exhibits(const std::vector<Item>& items, const Document& document, Mistakes& mistakes) {
+  for (const Item& item : items) {
+    if (parent(item.key->path) != "exhibit[]" || last_name(item.key->path) == "kind") continue;
+    const ExhibitKind* kind = find_exhibit_kind(document.exhibits[static_cast<std::size_t>(item.indices[0])].kind);
+    if (kind == nullptr || std::ranges::find(kind->keys, last_name(item.key->path)) != kind->keys.end()) continue;
+    const std::vector<std::string> names(kind->keys.begin(), kind->keys.end());
+    mistakes.refuse(item.path,
+                    "is no key of the exhibit \"" + std::string(kind->name) + "\"; it has: " + listed(names));
+  }
+}
+
 void check_picture(const Document& document, Mistakes& mistakes) {
   const Camera& camera = document.camera;
   if (camera.eye && camera.target) {
@@ -171,9 +184,11 @@ void check_dimension(const std::vector<Item>& items, int dimension, Mistakes& mi
       mistakes.refuse(item.path, "is for " + std::to_string(item.key->dimension) + "D only, and " + scene);
     }
     if (item.dimension != 0 && item.dimension != dimension) {
-      mistakes.refuse(item.path, (item.key->kind == Kind::point || item.key->kind == Kind::direction
-                                      ? "must have " + numbers
-                                      : "must have points of " + numbers) +
+      const bool one = item.key->kind == Kind::point || item.key->kind == Kind::direction;
+      const bool rows = item.key->kind == Kind::matrix;
+      mistakes.refuse(item.path, (one    ? "must have " + numbers
+                                  : rows ? "must have rows of " + numbers
+                                         : "must have points of " + numbers) +
                                      ": " + scene);
     }
     if (item.key->kind == Kind::axis && dimension == 2) {
@@ -183,7 +198,7 @@ void check_dimension(const std::vector<Item>& items, int dimension, Mistakes& mi
   }
 }
 
-void check_consistency(const Document& document, Mistakes& mistakes) {
+void check_consistency(const std::vector<Item>& items, const Document& document, Mistakes& mistakes) {
   const sim::Scene& scene = document.scene;
   check_unique(scene.bodies, "body", mistakes);
   check_unique(scene.probes, "probe", mistakes);
@@ -193,6 +208,7 @@ void check_consistency(const Document& document, Mistakes& mistakes) {
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body", mistakes);
   }
+  check_exhibits(items, document, mistakes);
   check_picture(document, mistakes);
 }
 

@@ -15,6 +15,6 @@ void check_presence(const std::vector<Item>& items, const Places& places, Mistak
 void check_dimension(const std::vector<Item>& items, int dimension, Mistakes& mistakes);
 
 // Names are unique and refer to something; keyframes are in order; the camera looks somewhere.
-void check_consistency(const Document& document, Mistakes& mistakes);
+void check_consistency(const std::vector<Item>& items, const Document& document, Mistakes& mistakes);
 
 }  // namespace app

@@ -4,6 +4,7 @@
 
 #include "app/base/number_text.h"
 #include "app/mesh/error.h"
+#include "app/mesh/positions.h"
 #include "app/scene/scene_checks.h"
 #include "app/scene/scene_items.h"
 #include "sim/element/element.h"
@@ -75,6 +76,27 @@ void make_bodies(Document& document, const std::filesystem::path& folder, const 
   }
 }
 
+// Where nodes start that a file tells.
+void read_start(std::filesystem::path& file, const std::filesystem::path& folder, int dimension,
+                const std::string& path, sim::Start& start) {
+  if (file.empty()) return;
+  file = folder / file;
+  try {
+    start.nodes = read_positions(file, dimension);
+  } catch (const FileError& error) {
+    throw sim::InputError(path + ".start.file", error.what());
+  }
+}
+
+void read_starts(Document& document, const std::filesystem::path& folder, Mistakes& mistakes) {
+  for (std::size_t i = 0; i < document.start_files.size(); ++i) {
+    mistakes.collect([&] {
+      read_start(document.start_files[i], folder, document.scene.dimension, "body." + std::to_string(i),
+                 document.scene.bodies[i].start);
+    });
+  }
+}
+
 void place_body(const MeshSpec& spec, int dimension, const std::string& path, sim::Mesh& mesh) {
   try {
     place_mesh(spec, dimension, mesh);
@@ -111,7 +133,8 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   if (made) check_dimension(items, document.scene.dimension, mistakes);
   mistakes.next_stage();
   if (made) place_bodies(document, mistakes);
-  check_consistency(document, mistakes);
+  if (made) read_starts(document, scene.parent_path(), mistakes);
+  check_consistency(items, document, mistakes);
   return document;
 }
 

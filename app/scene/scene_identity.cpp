@@ -32,8 +32,11 @@ std::uint64_t scene_identity(const Document& document) {
   simulated.title.clear();
   simulated.camera = {};
   simulated.look = {};
+  simulated.exhibits.clear();
   simulated.scene.time.seconds = sim::Time{}.seconds;
-  for (MeshSpec& mesh : simulated.meshes) mesh.file = mesh.file.filename();  // it may lie elsewhere and be the same
+  // Files may lie elsewhere and be the same.
+  for (MeshSpec& mesh : simulated.meshes) mesh.file = mesh.file.filename();
+  for (std::filesystem::path& file : simulated.start_files) file.clear();  // the nodes themselves are told
   std::uint64_t sum = sim::checksum(scene_json(simulated, {}));
   for (const sim::Body& body : document.scene.bodies) sum = checksum_of_mesh(body.mesh, sum);
   return sum;

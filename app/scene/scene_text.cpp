@@ -63,7 +63,8 @@ Node filled(const Document& document, const std::filesystem::path& folder) {
     for_each_position(document, key, [&](const Indices& indices) {
       std::optional<Value> value = key.binding.get(document, indices);
       if (!value) return;
-      if (key.path == "body[].mesh.file") value = relative_path(std::get<std::string>(*value), folder);
+      if (key.path == "body[].mesh.file" || key.path == "body[].start.file")
+        value = relative_path(std::get<std::string>(*value), folder);
       put(root, path_at(key.path, indices), value_text(key, *value, dimension));
     });
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "app/base/nearest.h"
@@ -115,6 +116,28 @@ std::vector<double> box(const toml::node& node, const Form& form, int& dimension
   return low;
 }
 
+// As many rows as columns.
+std::vector<double> matrix(const toml::node& node, const Form& form, int& dimension) {
+  std::vector<double> all;
+  const toml::array& rows = entries(node, form, 2, 3);
+  for (const toml::node& row : rows) {
+    const auto size = static_cast<int>(rows.size());
+    const std::vector<double> one = numbers(row, form, size, size);
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  dimension = static_cast<int>(rows.size());
+  return all;
+}
+
+std::vector<double> points(const toml::node& node, const Form& form, int& dimension) {
+  std::vector<double> all;
+  for (const toml::node& entry : entries(node, form, 1, std::numeric_limits<std::size_t>::max())) {
+    const std::vector<double> one = point(entry, form, dimension);
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
+}
+
 std::vector<double> ball(const toml::node& node, const Form& form, int& dimension) {
   const toml::array& parts = entries(node, form, 2, 2);
   std::vector<double> numbers = point(parts[0], form, dimension);
@@ -196,6 +219,12 @@ ScannedValue scan_value(const Form& form, const toml::node& node) {
       break;
     case Kind::ball:
       scan.value = ball(node, form, scan.dimension);
+      break;
+    case Kind::matrix:
+      scan.value = matrix(node, form, scan.dimension);
+      break;
+    case Kind::points:
+      scan.value = points(node, form, scan.dimension);
       break;
     case Kind::table:
     case Kind::list:

@@ -6,6 +6,7 @@
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_identity.h"
 #include "sim/mesh/input_error.h"
+#include "sim/study/modes.h"
 
 namespace app {
 
@@ -23,7 +24,8 @@ std::vector<std::string> Simulation::remarks() const {
 
 std::shared_ptr<const sim::System> build_system(const Document& document, int threads) {
   try {
-    return std::make_shared<const sim::System>(document.scene, threads);
+    if (!sim::starts_in_a_mode(document.scene)) return std::make_shared<const sim::System>(document.scene, threads);
+    return std::make_shared<const sim::System>(sim::with_modes_started(document.scene), threads);
   } catch (const sim::InputError& error) {
     throw SceneError(located(error, document.places).message);
   }

@@ -15,6 +15,15 @@ std::string list(std::span<const double> numbers, bool integers = false) {
   return text + "]";
 }
 
+// The first `shown` of every `stride` numbers.
+std::string rows(std::span<const double> n, int stride, int shown) {
+  std::string text = "[";
+  for (std::size_t at = 0; at < n.size(); at += static_cast<std::size_t>(stride)) {
+    text += (at > 0 ? ", " : "") + list(n.subspan(at, static_cast<std::size_t>(shown)));
+  }
+  return text + "]";
+}
+
 std::string list_text(const Key& key, std::span<const double> n, int dimension) {
   switch (key.kind) {
     case Kind::point:
@@ -22,6 +31,10 @@ std::string list_text(const Key& key, std::span<const double> n, int dimension) 
       return list(n.first(dimension));
     case Kind::box:
       return "[" + list(n.first(dimension)) + ", " + list(n.subspan(3, dimension)) + "]";
+    case Kind::matrix:
+      return rows(n, dimension, dimension);
+    case Kind::points:
+      return rows(n, 3, dimension);
     case Kind::ball:
       return "[" + list(n.first(dimension)) + ", " + number_literal(n[3]) + "]";
     default:

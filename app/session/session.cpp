@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/exhibit/exhibit.h"
 #include "app/scene/value_text.h"
 #include "app/session/pull.h"
 #include "sim/stepper.h"
@@ -37,6 +38,7 @@ std::shared_ptr<const Simulation> seen_as(const Simulation& simulation, const Do
   seen->document.title = document.title;
   seen->document.camera = document.camera;
   seen->document.look = document.look;
+  seen->document.exhibits = document.exhibits;
   seen->document.scene.time.seconds = document.scene.time.seconds;
   return seen;
 }
@@ -94,9 +96,12 @@ void Session::handle(const SetKey& input) {
   std::vector<Override> overrides = with(overrides_, added);
   Document document = read(overrides);
   if (effect == Effect::look) {
+    make_exhibits(document, *simulation_->system);  // refused now rather than in a picture
     show(document);
   } else {
-    go_on_with(build(document, pull_));
+    std::shared_ptr<const Simulation> next = build(document, pull_);
+    make_exhibits(document, *next->system);
+    go_on_with(std::move(next));
   }
   document_ = std::move(document);
   overrides_ = std::move(overrides);

@@ -12,7 +12,7 @@ void scramble(sim::Scene& scene) {
 std::vector<Extreme> start_extremes() {
   std::vector<Extreme> all;
   for (const sim::StartShape& shape : sim::start_shapes()) {
-    if (shape.name == "rest") continue;
+    if (shape.name == "rest" || shape.given) continue;
     const std::string name(shape.name);
     all.push_back({"start", name, true, false, [name](sim::Scene& scene) {
                      for (sim::Body& body : scene.bodies) body.start.shape = name;

@@ -1,5 +1,7 @@
 #include "app/view/workbench.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/base/output_file.h"
@@ -29,6 +31,10 @@ std::optional<Action> action_of(const WindowEvent& event) {
       return Action::help;
     case render::Key::tab:
       return Action::hide_panel;
+    case render::Key::page_up:
+      return Action::page_back;
+    case render::Key::page_down:
+      return Action::page_on;
     case render::Key::escape:
       return std::nullopt;
     case render::Key::letter:
@@ -64,6 +70,7 @@ void Workbench::handle(const WindowEvent& event, int width, int height, bool ove
   }
   const bool begins = event.kind == WindowEvent::Kind::press || event.kind == WindowEvent::Kind::scroll;
   if (begins && over_widgets) return;
+  if (drag_ring(event, width, height)) return;
   frame(width, height);
   const std::optional<Input> input =
       mouse_.handle(event, {frame_, *session_->simulation()->system, session_->state(), width, height});
@@ -73,6 +80,30 @@ void Workbench::handle(const WindowEvent& event, int width, int height, bool ove
     return;
   }
   apply(*input);
+}
+
+// Takes hold of the ring under the mouse, moves it, lets go. True when the event was for a ring.
+bool Workbench::drag_ring(const WindowEvent& event, int width, int height) {
+  constexpr double reach = 0.035;  // of the picture's height: as far from its middle a ring is taken
+  if (event.kind == WindowEvent::Kind::release) return std::exchange(ring_, std::nullopt).has_value();
+  const bool takes = event.kind == WindowEvent::Kind::press && event.button == render::Button::left && !event.control;
+  if (!takes && !(ring_ && event.kind == WindowEvent::Kind::move)) return false;
+  const std::vector<Ring> rings = frames_.rings(session_->state());
+  if (takes) {
+    double nearest = reach * height;
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      const render::Spot at = render::to_page(rings[k].diagram, rings[k].grip.at, width, height);
+      const double distance = std::hypot(at[0] - event.x, at[1] - event.y);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      ring_ = k;
+    }
+    return ring_.has_value();
+  }
+  if (*ring_ >= rings.size()) return true;
+  const Ring& ring = rings[*ring_];
+  apply(SetKey{ring.key, ring.grip.value(render::from_page(ring.diagram, {event.x, event.y}, width, height))});
+  return true;
 }
 
 void Workbench::act(Action action) {
@@ -95,7 +126,12 @@ void Workbench::act(Action action) {
       mouse_.drop();
       return apply(Restart{});
     case Action::reload:
-      return reload();
+      reload();
+      return;
+    case Action::page_back:
+      return turn_page(-1);
+    case Action::page_on:
+      return turn_page(1);
     case Action::save:
       return save();
     case Action::screenshot:
@@ -174,14 +210,25 @@ void Workbench::apply(const Input& input) {
   shown_ = session_->simulation();
 }
 
-// A new session, with a new log.
-void Workbench::reload() {
+// The page before or after this one, if there is one.
+void Workbench::turn_page(std::ptrdiff_t by) {
+  const auto now = std::ranges::find(options_.deck, options_.scene);
+  if (now == options_.deck.end()) return;
+  const std::ptrdiff_t page = now - options_.deck.begin() + by;
+  if (page < 0 || page >= std::ssize(options_.deck)) return;
+  const std::filesystem::path before = options_.scene;
+  options_.scene = options_.deck[static_cast<std::size_t>(page)];
+  if (!reload()) options_.scene = before;
+}
+
+// A new session, with a new log. False, and nothing has changed, when the file cannot be used.
+bool Workbench::reload() {
   std::unique_ptr<Session> session;
   try {
     session = std::make_unique<Session>(options_);
   } catch (const std::runtime_error& error) {
     message_ = error.what();
-    return;
+    return false;
   }
   message_ = "Read again: " + options_.scene.string();
   if (log_) {
@@ -199,6 +246,7 @@ void Workbench::reload() {
   largest_ = {};
   frames_ = FrameHistory(*session_->simulation());
   count_frame();
+  return true;
 }
 
 void Workbench::save() {

@@ -52,7 +52,9 @@ class Workbench {
   void apply(const Input& input);
   bool step();
   void count_frame();
-  void reload();
+  bool reload();
+  void turn_page(std::ptrdiff_t by);
+  bool drag_ring(const render::WindowEvent& event, int width, int height);
   void save();
   void refresh_picture(double aspect);
   // A name that is not taken: START-1END, START-2END, ...
@@ -66,6 +68,7 @@ class Workbench {
   Pace pace_;
   Panel panel_;
   bool playing_ = false, quits_ = false, panel_shown_ = true, help_ = false, screenshot_ = false;
+  std::optional<std::size_t> ring_;  // that is dragged: its number among those of the picture
   std::optional<PullTo> pull_to_;  // applied before the next step: a mouse moves more often than that
   double time_ = 0;                // s simulated since the session began
   sim::StepReport report_;         // of the last step

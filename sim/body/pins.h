@@ -10,7 +10,8 @@ namespace sim {
 
 class Pins {
  public:
-  // Adds the pin's nodes (numbers of the system). D numbers per node; X: rest positions of the system.
+  // Adds the pin's nodes (numbers of the system). D numbers per node; X: the positions that its script moves, of the
+  // system.
   void add(const Pin& pin, const std::vector<int>& nodes, const Eigen::VectorXd& X, int D);
 
   bool empty() const { return pins_.empty(); }

@@ -12,6 +12,8 @@ namespace sim {
 // What a shape is made from. `direction` has unit length; `low`, `high`: corners of the rest bounding box.
 struct StartMaking {
   const Mesh& mesh;
+  const Start& start;
+  int D;  // dimensions of the scene
   double amount;
   Vec3 direction;
   Vec3 low, high;
@@ -98,6 +100,23 @@ void invert_one(StartMaking& m) {
     }
 }
 
+// x = A X about the origin.
+void map_affinely(StartMaking& m) {
+  if (m.start.matrix.size() != static_cast<std::size_t>(m.D * m.D))
+    throw InputError("start.matrix", "must have " + std::to_string(m.D) + " rows of " + std::to_string(m.D) +
+                                         " numbers: the map x = A X of shape = \"affine\"");
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> A(
+      m.start.matrix.data(), m.D, m.D);
+  m.x.topRows(m.D) = A * Eigen::MatrixXd(m.x.topRows(m.D));
+}
+
+void place(StartMaking& m) {
+  if (static_cast<Eigen::Index>(m.start.nodes.size()) != m.x.cols())
+    throw InputError("start.nodes", "there are " + std::to_string(m.start.nodes.size()) +
+                                        " positions, and the mesh has " + std::to_string(m.x.cols()) + " nodes");
+  for (int i = 0; i < m.x.cols(); ++i) m.x.col(i) = m.start.nodes[static_cast<std::size_t>(i)];
+}
+
 constexpr std::string_view longest = "longest", thinnest = "thinnest";
 
 constexpr double flat = 1e-3;  // of the size: leaves the plane, line or point in which symmetry would keep a body
@@ -113,6 +132,9 @@ constexpr StartShape table[] = {
     {"stretched", 10, 0, longest, "amount times as long", scale},
     {"squashed", 0.01, 0, thinnest, "to amount times the thickness", scale},
     {"far", 1e6, 0, longest, "amount body sizes away", move_away},
+    {"affine", 1, 0, "", "by the map x = A X of matrix", map_affinely, true},
+    {"nodes", 1, 0, "", "where nodes, or file, says", place, true},
+    {"mode", 0.1, 0, "", "in vibration mode number mode, its largest displacement amount metres", place, true},
 };
 
 // The axis along which the rest bounding box is longest, or shortest but not flat.
@@ -140,7 +162,7 @@ const StartShape* find_start_shape(std::string_view name) {
 Eigen::MatrixXd start_positions(const Mesh& mesh, const Start& start, int D, std::uint64_t seed) {
   const StartShape* shape = find_start_shape(start.shape);
   if (!shape) throw InputError("start.shape", "\"" + start.shape + "\" is not a start");
-  StartMaking m{mesh, start.amount.value_or(shape->amount), {}, {}, {}, 0, Random(seed), {}};
+  StartMaking m{mesh, start, D, start.amount.value_or(shape->amount), {}, {}, {}, 0, Random(seed), {}};
   m.x = Eigen::Matrix3Xd::Zero(3, mesh.node_count());
   m.x.topRows(mesh.dimension()) = mesh.X;
   m.low = m.x.rowwise().minCoeff();

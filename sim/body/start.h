@@ -1,4 +1,5 @@
-// Where a body starts that does not start at rest: extremes to recover from, as a table of functions on X.
+// Where a body starts that does not start at rest: extremes to recover from, and starts that a scene gives, as a table
+// of functions on X.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@ struct StartShape {
   std::string_view along;  // default of Start::direction: the "longest" or "thinnest" axis at rest; empty: it has none
   std::string_view what;   // in a few words, with the meaning of the amount
   void (*make)(StartMaking&);
+  bool given = false;  // by further values of Start, without which there is none; not one of the extremes
 };
 
 std::span<const StartShape> start_shapes();

@@ -86,7 +86,7 @@ void add_body(Model& model, std::size_t b) {
     std::vector<int> nodes = below(key, [&] { return nodes_in(body.mesh, body.pins[k].where); });
     if (nodes.empty()) throw InputError(key, "no node of \"" + body.name + "\" is in this region");
     for (int& node : nodes) node += range.first_node;
-    model.pins.add(body.pins[k], nodes, model.X, model.D);
+    model.pins.add(body.pins[k], nodes, body.pins[k].at_start ? model.x_start : model.X, model.D);
   }
 }
 

@@ -53,7 +53,10 @@ Value sample(const Key& key) {
     case Kind::box:
       return std::vector<double>{1, 2, 3, 4, 5, 6};
     case Kind::ball:
+    case Kind::matrix:
       return std::vector<double>{1, 2, 3, 4};
+    case Kind::points:
+      return std::vector<double>{1, 2, 3, 4, 5, 6};
     default:
       return std::string("words");
   }

@@ -206,5 +206,27 @@ TEST_F(SceneFile, DumpHoldsEveryDefault) {
   EXPECT_EQ(json.find("eye"), std::string::npos) << "a key of 3D scenes";
 }
 
+// What a start is given by is read, and written as it was given.
+TEST_F(SceneFile, StartsAreGivenByAMatrixNodesOrAFile) {
+  const std::string plane = "[[body]]\nmesh = { rectangle = [1, 1], cells = [1, 1] }\n";
+  const Document affine = load(plane + "start = { shape = \"affine\", matrix = [[1, 0.2], [0, 0.8]] }");
+  EXPECT_EQ(affine.scene.bodies[0].start.matrix, (std::vector<double>{1, 0.2, 0, 0.8}));
+  EXPECT_NE(scene_toml(affine, {}).find("matrix = [[1.0, 0.2], [0.0, 0.8]]"), std::string::npos);
+  const Document listed = load(plane + "start = { shape = \"nodes\", nodes = [[0, 0], [1, 0], [0, 1], [1, 2]] }");
+  ASSERT_EQ(listed.scene.bodies[0].start.nodes.size(), 4U);
+  EXPECT_EQ(listed.scene.bodies[0].start.nodes[3], Vec3(1, 2, 0));
+  file("x.txt", "0 0\n1 0 # corner\n\n0 1\n1 2\n");
+  const Document from_file = load(plane + "start = { shape = \"nodes\", file = \"x.txt\" }");
+  EXPECT_EQ(from_file.scene.bodies[0].start.nodes, listed.scene.bodies[0].start.nodes);
+  const std::string text = scene_toml(from_file, folder_.path());
+  EXPECT_NE(text.find("file = \"x.txt\""), std::string::npos);
+  EXPECT_EQ(text.find("nodes = [["), std::string::npos) << "told by the file's name";
+  file("bad.txt", "0 0\n1 0 3\n");
+  EXPECT_NE(error(plane + "start = { shape = \"nodes\", file = \"bad.txt\" }").find("bad.txt:2"), std::string::npos);
+  EXPECT_NE(error(plane + "start = { shape = \"affine\", matrix = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }")
+                .find("must have rows of 2 numbers"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace app

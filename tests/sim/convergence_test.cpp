@@ -7,7 +7,7 @@
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/geometry.h"
 #include "sim/solve/tangent_operator.h"
-#include "tests/sim/sparse.h"
+#include "sim/study/sparse.h"
 #include "tests/sim/stepping.h"
 
 namespace sim {
@@ -75,7 +75,7 @@ double error(const test::Kind& kind, int cells) {
     if (free[i] != 0) dof.push_back(i);
   Eigen::VectorXd rhs(dof.size());
   for (std::size_t i = 0; i < dof.size(); ++i) rhs[i] = b[dof[i]] - Ku[dof[i]];
-  const Eigen::SimplicialLDLT<test::Sparse> solver(test::free_part(K, free));
+  const Eigen::SimplicialLDLT<SparseMatrix> solver(free_part(K, free));
   const Eigen::VectorXd inner = solver.solve(rhs);
   for (std::size_t i = 0; i < dof.size(); ++i) u[dof[i]] = inner[i];
 

@@ -1,40 +1,17 @@
-// The first six vibration frequencies of the cantilever: eigenvalues of the program's own K and M at rest.
-#include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/MatOp/SymShiftInvert.h>
-#include <Spectra/SymGEigsShiftSolver.h>
+// Vibration modes: eigenvalues of the program's own K and M at rest, against references and against each other.
+#include <numbers>
 
 #include "sim/build/parts.h"
 #include "sim/mesh/refine.h"
-#include "sim/solve/tangent_operator.h"
-#include "tests/sim/sparse.h"
+#include "sim/study/explicit_limit.h"
+#include "sim/study/modes.h"
 #include "tests/sim/stepping.h"
 
 namespace sim {
 namespace {
 
 Eigen::VectorXd frequencies(const Scene& scene, int count) {
-  System system(scene);
-  const Model& parts = parts_of(system).model;
-  TangentOperator tangent(parts, 1);
-  parts.pins.mark(0, tangent.free());
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(parts.dofs());
-  Eigen::VectorXd f(parts.dofs());
-  tangent.linearise({parts.X, still, 0, 0}, 0, Definiteness::none, f);
-  BlockMatrix K(*parts.pattern, parts.D), M(*parts.pattern, parts.D);
-  tangent.assemble(K);
-  for (const Mass& mass : parts.masses) mass.add_matrix(1, M);
-  const test::Sparse K_free = test::free_part(K, tangent.free()), M_free = test::free_part(M, tangent.free());
-  using Shift = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
-  using Product = Spectra::SparseSymMatProd<double>;
-  Shift shift(K_free, M_free);
-  Product product(M_free);
-  Spectra::SymGEigsShiftSolver<Shift, Product, Spectra::GEigsMode::ShiftInvert> solver(shift, product, count, 4 * count,
-                                                                                       0.0);
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestMagn);
-  Eigen::VectorXd omega2 = solver.eigenvalues();
-  std::sort(omega2.begin(), omega2.end());
-  return omega2.cwiseSqrt() / (2 * 3.14159265358979323846);
+  return vibration_modes(scene, 0, count).omega / (2 * std::numbers::pi);
 }
 
 // tests/data/reference/beam3d_frequencies_nu0.3.csv, finest rows; 1e-4.
@@ -61,6 +38,97 @@ TEST(Frequencies, AreUpperBoundsThatRefiningLowers) {
     EXPECT_GT(fine[k], reference[k] * (1 - 1e-4));
   }
   EXPECT_GT(coarse[0], 1.05 * reference[0]) << "linear tets this coarse are too stiff";
+}
+
+Scene plane_beam(ElementKind kind, int nx, int ny, double young) {
+  Scene scene;
+  scene.dimension = 2;
+  Body body;
+  body.mesh = generate_rectangle({4, 1}, {nx, ny}, {1, 1}, kind);
+  body.materials = {MaterialSpec{"stable-neo-hookean", young, 0.3, 1000, ""}};
+  body.pins = {Pin{InGroup{"left"}, "xy", {}, {}}};
+  scene.bodies = {body};
+  return scene;
+}
+
+// tests/data/lecture/stability.json, to ten digits.
+TEST(Frequencies, OfPlaneBeamsAreThoseOfTheReference) {
+  struct Case {
+    ElementKind kind;
+    int nx, ny;
+    double young;
+    MassMatrix mass;
+    double slowest, fastest;  // Hz, rad/s
+  };
+  for (const Case& c : {Case{ElementKind::tri3, 16, 4, 1e6, MassMatrix::lumped, 0.3415416076, 358.8659548},
+                        Case{ElementKind::quad4, 16, 4, 1e6, MassMatrix::lumped, 0.3263946164, 297.1374516},
+                        Case{ElementKind::quad4, 16, 4, 1e6, MassMatrix::consistent, 0.3272833505, 581.197299},
+                        Case{ElementKind::tri3, 32, 8, 1e6, MassMatrix::lumped, 0.3260746099, 715.730679},
+                        Case{ElementKind::tri3, 16, 4, 4e6, MassMatrix::consistent, 0.6849270985, 1414.385703}}) {
+    Scene scene = plane_beam(c.kind, c.nx, c.ny, c.young);
+    scene.bodies[0].mass = c.mass;
+    EXPECT_NEAR(frequencies(scene, 2)[0] / c.slowest, 1, 1e-8);
+    EXPECT_NEAR(fastest_frequency(scene, 0) / c.fastest, 1, 1e-8);
+  }
+}
+
+TEST(Frequencies, ManyModesByOneSolverAndFewByTheOtherAreTheSame) {
+  const Scene scene = plane_beam(ElementKind::quad4, 32, 8, 1e6);
+  const Modes few = vibration_modes(scene, 0, 5), many = vibration_modes(scene, 0, 400);
+  EXPECT_LT((few.omega - many.omega.head(5)).cwiseQuotient(few.omega).cwiseAbs().maxCoeff(), 1e-9);
+  const double size = few.shape.cwiseAbs().maxCoeff();
+  EXPECT_LT((few.shape - many.shape.leftCols(5)).cwiseAbs().maxCoeff(), 1e-6 * size);
+}
+
+// psi_i^T M psi_j = 1 or 0, and a free body has three rigid motions in the plane.
+TEST(Frequencies, ModesAreOrthonormalAndRigidOnesCostNothing) {
+  Scene scene = plane_beam(ElementKind::tri3, 16, 4, 1e6);
+  scene.bodies[0].pins.clear();
+  const Modes modes = vibration_modes(scene, 0, 8);
+  const System system(scene);
+  for (int k = 0; k < 3; ++k) EXPECT_LT(modes.omega[k], 1e-3 * modes.omega[3]);
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) {
+      Eigen::VectorXd Mpsi = Eigen::VectorXd::Zero(modes.shape.rows());
+      parts_of(system).model.masses[0].add_product(1, modes.shape.col(j), Mpsi, 2);
+      EXPECT_NEAR(modes.shape.col(i).dot(Mpsi), i == j, 1e-6);
+    }
+}
+
+// A body that starts in a mode comes back after a period: x(t) = X + a psi cos(omega t), small.
+TEST(Frequencies, ABodyThatStartsInAModeRingsWithItsFrequency) {
+  Scene scene = plane_beam(ElementKind::quad4, 16, 4, 1e6);
+  scene.world.gravity.setZero();
+  scene.bodies[0].start.shape = "mode";
+  scene.bodies[0].start.mode = 2;
+  scene.bodies[0].start.amount = 1e-6;
+  const double omega = vibration_modes(scene, 0, 2).omega[1];
+  scene.time.integrator = "trapezoidal";
+  scene.solver.tolerance = 1e-12;
+  scene.time.fps = 400;
+  const System system(with_modes_started(scene));
+  State state = system.initial_state();
+  const Eigen::VectorXd X = parts_of(system).model.X, start = state.x - X;
+  EXPECT_NEAR(start.reshaped(2, start.size() / 2).colwise().norm().maxCoeff(), 1e-6, 1e-15);
+  const auto stepper = make_stepper(system, 1);
+  for (int k = 0; k < 100; ++k) ASSERT_EQ(stepper->step(state).failure, "");
+  EXPECT_NEAR((state.x - X).dot(start) / start.squaredNorm(), std::cos(omega * system.time(100)), 2e-4);
+  scene.bodies[0].start.mode = 100000;
+  EXPECT_THROW(with_modes_started(scene), InputError);
+}
+
+// A static system weighs with consistent mass, but its limit is that of the mass that the scene names.
+TEST(Frequencies, TheLimitOfAStaticSceneIsThatOfItsOwnMass) {
+  Scene scene = plane_beam(ElementKind::quad4, 16, 4, 1e6);
+  for (const auto& [mass, limit] : {std::pair{MassMatrix::lumped, 0.006730891677}, std::pair{MassMatrix::consistent, 0.00344117222}}) {
+    scene.bodies[0].mass = mass;
+    scene.time.integrator = "static";
+    const double found = explicit_limit(scene, System(scene), 1);
+    EXPECT_LE(found, limit);
+    EXPECT_GE(found, 0.95 * limit);
+    scene.time.integrator = "central-difference";
+    EXPECT_EQ(explicit_limit(scene, System(scene), 1), found);
+  }
 }
 
 }  // namespace

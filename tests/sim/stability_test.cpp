@@ -22,6 +22,7 @@ TEST(Stability, EveryStartEndsFiniteAndIsCalledWhatItIs) {
   for (const char* material : {"stable-neo-hookean", "fixed-corotated", "corotated"})
     for (const char* scheme : {"backward-euler", "sdirk2", "tr-bdf2"})
       for (const StartShape& start : start_shapes()) {
+        if (start.given) continue;
         if (material != std::string("stable-neo-hookean") && scheme != std::string("backward-euler")) continue;
         const Recovery r = recovery_of(block(material, scheme, std::string(start.name), ++seed));
         const std::string which = std::string(start.name) + " " + material + " " + scheme;

@@ -56,7 +56,8 @@ TEST(Start, AmountDirectionAndPerturbationAreTaken) {
   };
   EXPECT_NEAR(extent(x, 2), 3 * extent(X, 2), 1e-12);
   EXPECT_NEAR(extent(x, 0), extent(X, 0), 1e-12);
-  scene.bodies[0].start = {"rest", {}, {}, 0.01};
+  scene.bodies[0].start = {};
+  scene.bodies[0].start.perturbation = 0.01;
   const Eigen::VectorXd shaken = System(scene).initial_state().x - X;
   EXPECT_GT(shaken.cwiseAbs().maxCoeff(), 0.009 * 1.2);
   EXPECT_LE(shaken.cwiseAbs().maxCoeff(), 0.01 * 1.2);
@@ -91,6 +92,25 @@ TEST(Start, NeoHookeanRefusesAnInvertedStart) {
 
 TEST(Start, AnUnknownShapeIsRefused) {
   EXPECT_THROW(System{started("crumpled")}, InputError);
+}
+
+TEST(Start, AffineAndNodesPutNodesWhereTheySay) {
+  Scene scene = started("affine", {"tri3", false});
+  scene.bodies[0].start.matrix = {1, 0.2, 0, 0.8};
+  const System sheared(scene);
+  const Eigen::VectorXd x = sheared.initial_state().x, X = parts_of(sheared).model.X;
+  for (Eigen::Index i = 0; i < X.size(); i += 2) {
+    EXPECT_NEAR(x[i], X[i] + 0.2 * X[i + 1], 1e-15);
+    EXPECT_NEAR(x[i + 1], 0.8 * X[i + 1], 1e-15);
+  }
+  EXPECT_NEAR(smallest_J(sheared).J, 0.8, 1e-12);
+  Scene placed = started("nodes", {"tri3", false});
+  for (Eigen::Index i = 0; i < x.size(); i += 2) placed.bodies[0].start.nodes.push_back({x[i], x[i + 1], 0});
+  EXPECT_EQ(System(placed).initial_state().x, x);
+  placed.bodies[0].start.nodes.pop_back();
+  EXPECT_THROW(System{placed}, InputError);
+  scene.bodies[0].start.matrix.clear();
+  EXPECT_THROW(System{scene}, InputError);
 }
 
 }  // namespace

@@ -32,6 +32,12 @@ Value to_value(const T& x) {
     return std::vector<double>(x.begin(), x.end());
 }
 
+inline Value to_value(const std::vector<Vec3>& points) {
+  std::vector<double> all;
+  for (const Vec3& x : points) all.insert(all.end(), x.begin(), x.end());
+  return all;
+}
+
 // Value -> field; the value has been checked against its key.
 template <class T>
 void from_value(const Value& value, T& x) {
@@ -56,6 +62,12 @@ void from_value(const Value& value, T& x) {
     std::ranges::copy(*n, x.begin());
 }
 
+inline void from_value(const Value& value, std::vector<Vec3>& points) {
+  const auto& n = std::get<std::vector<double>>(value);
+  points.clear();
+  for (std::size_t i = 0; i + 2 < n.size(); i += 3) points.push_back({n[i], n[i + 1], n[i + 2]});
+}
+
 template <class T>
 std::optional<Value> to_optional(const T& x) {
   return to_value(x);
@@ -75,6 +87,14 @@ template <auto owner, auto member>
 constexpr Binding field = {
     [](const Document& d, const Indices& i) { return to_optional(owner(d, i).*member); },
     [](Document& d, const Indices& i, const Value& value) { from_value(value, owner(d, i).*member); }};
+
+// A list or text that is absent while it is empty.
+template <auto owner, auto member>
+constexpr Binding unless_empty = {[](const Document& d, const Indices& i) {
+                                    const auto& held = owner(d, i).*member;
+                                    return held.empty() ? std::nullopt : std::optional<Value>(to_value(held));
+                                  },
+                                  field<owner, member>.set};
 
 // The length of the vector owner(document, indices).*member.
 template <auto owner, auto member>
@@ -143,5 +163,6 @@ std::vector<Key> spring_keys();
 std::vector<Key> probe_keys();
 std::vector<Key> camera_keys();
 std::vector<Key> look_keys();
+std::vector<Key> exhibit_keys();
 
 }  // namespace app

@@ -1,5 +1,6 @@
 #include "app/scene/keys/choices.h"
 
+#include "app/scene/exhibits.h"
 #include "render/colour_map.h"
 #include "sim/body/start.h"
 #include "sim/element/element.h"
@@ -53,6 +54,16 @@ std::vector<std::string_view> background_names() {
 
 std::vector<std::string_view> finish_names() {
   return {"rubber", "jelly"};
+}
+
+std::vector<std::string_view> style_names() {
+  return {"usual", "lecture"};
+}
+
+std::vector<std::string_view> exhibit_names() {
+  std::vector<std::string_view> all;
+  for (const ExhibitKind& kind : exhibit_kinds()) all.push_back(kind.name);
+  return all;
 }
 
 }  // namespace app

@@ -23,5 +23,7 @@ std::vector<std::string_view> colour_names();
 std::vector<std::string_view> colour_map_choices();
 std::vector<std::string_view> background_names();
 std::vector<std::string_view> finish_names();
+std::vector<std::string_view> style_names();
+std::vector<std::string_view> exhibit_names();
 
 }  // namespace app

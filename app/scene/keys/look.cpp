@@ -12,6 +12,8 @@ constexpr auto look_of = [](auto& d, const Indices&) -> auto& {
 std::vector<Key> colour_keys() {
   return {
       {"look", Form(Kind::table).tells(Effect::look), {}, "What the picture shows."},
+      {"look.style", Form(Kind::choice).of(style_names), field<look_of, &Look::style>,
+       "\"lecture\": paper, large letters and thick dark lines, for a projector and the last row of a hall."},
       {"look.colour", Form(Kind::choice).of(colour_names), field<look_of, &Look::colour>,
        "Colours of the bodies: \"plain\", or by von Mises stress, largest principal stretch, energy density, or J = "
        "det F."},

@@ -44,7 +44,9 @@ std::vector<Key> pin_keys() {
   append(table, {{"body[].pin[].axes", Kind::axes, field<pin_of, &sim::Pin::axes>,
                   "The components that are prescribed; the others are free."},
                  {"body[].pin[].release", Form(Kind::number, "s", at_least(0)).otherwise("never"),
-                  field<pin_of, &sim::Pin::release>, "Time at which the nodes are let go."}});
+                  field<pin_of, &sim::Pin::release>, "Time at which the nodes are let go."},
+                 {"body[].pin[].at_start", Kind::boolean, field<pin_of, &sim::Pin::at_start>,
+                  "Hold the nodes where the body starts, instead of where it is at rest."}});
   append(table, pin_motion_keys());
   return table;
 }

@@ -1,4 +1,4 @@
-// A block matrix as one of Eigen's, for solvers that the program does not have.
+// A block matrix as one of Eigen's, for eigenvalue and other solvers that work on those.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -6,12 +6,12 @@
 
 #include "sim/math/block_matrix.h"
 
-namespace sim::test {
+namespace sim {
 
-using Sparse = Eigen::SparseMatrix<double>;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 // The free rows and columns of a block matrix.
-inline Sparse free_part(const BlockMatrix& A, const Eigen::VectorXd& free) {
+inline SparseMatrix free_part(const BlockMatrix& A, const Eigen::VectorXd& free) {
   const int D = A.D();
   std::vector<int> number(free.size(), -1);
   int count = 0;
@@ -26,9 +26,9 @@ inline Sparse free_part(const BlockMatrix& A, const Eigen::VectorXd& free) {
           const int row = number[i * D + r], column = number[pattern.column[k] * D + c];
           if (row >= 0 && column >= 0) entries.emplace_back(row, column, A.block(k)[r * D + c]);
         }
-  Sparse B(count, count);
+  SparseMatrix B(count, count);
   B.setFromTriplets(entries.begin(), entries.end());
   return B;
 }
 
-}  // namespace sim::test
+}  // namespace sim

@@ -1,0 +1,28 @@
+#include "app/exhibit/body.h"
+
+#include "sim/mesh/input_error.h"
+#include "sim/study/element_view.h"
+
+namespace app {
+
+ExhibitBody::ExhibitBody(const ExhibitInput& input) : system_(input.system), scene_(input.scene) {
+  if (!input.spec.body.empty()) {
+    while (number_ < scene_.bodies.size() && scene_.bodies[number_].name != input.spec.body) ++number_;
+    if (number_ == scene_.bodies.size()) throw sim::InputError("body", "there is no body of this name");
+  }
+  scene_.bodies = {scene_.bodies[number_]};
+  scene_.springs.clear();
+  scene_.probes.clear();
+}
+
+Eigen::MatrixXd ExhibitBody::nodes(const Eigen::VectorXd& x) const {
+  const int D = dimension();
+  return x.segment(Eigen::Index{D} * range().first_node, Eigen::Index{D} * range().node_count)
+      .reshaped(D, range().node_count);
+}
+
+Eigen::MatrixXd ExhibitBody::element_nodes(int element, const sim::State& state) const {
+  return sim::element_nodes(mesh(), element, range().first_node, state.x);
+}
+
+}  // namespace app

@@ -1,0 +1,37 @@
+// What a page of a lecture adds to a scene: reads the system and a state, computes nothing by itself that sim can, and
+// lays diagrams and numbers on the page's sheet.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/scene/document.h"
+#include "app/scene/exhibits.h"
+#include "render/sheet.h"
+#include "sim/state.h"
+
+namespace app {
+
+// A ring on the page that can be dragged: it sets a key of the exhibit.
+struct Grip {
+  std::size_t diagram = 0;  // of the exhibit's own
+  render::Spot at{};
+  std::string key = {};                                        // "nodes"
+  std::function<std::string(const render::Spot&)> value = {};  // TOML, for the ring at a spot
+};
+
+class Exhibit {
+ public:
+  virtual ~Exhibit() = default;
+  // The state of every frame, in their order; one that is not later than others replaces them.
+  virtual void note(const sim::State&) {}
+  virtual void show(const sim::State& state, render::Sheet& sheet) const = 0;
+  // Rings of what `show` draws of this state.
+  virtual std::vector<Grip> grips(const sim::State&) const { return {}; }
+};
+
+// Those of a document. Throws SceneError where one has not what it shows.
+std::vector<std::unique_ptr<Exhibit>> make_exhibits(const Document& document, const sim::System& system);
+
+}  // namespace app

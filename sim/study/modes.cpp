@@ -1,0 +1,150 @@
+#include "sim/study/modes.h"
+
+#include <Spectra/MatOp/SparseCholesky.h>
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/MatOp/SymShiftInvert.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <Spectra/SymGEigsSolver.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/body/start.h"
+#include "sim/build/parts.h"
+#include "sim/solve/tangent_operator.h"
+#include "sim/study/sparse.h"
+#include "sim/system.h"
+
+namespace sim {
+
+namespace {
+
+using Product = Spectra::SparseSymMatProd<double>;
+
+constexpr Eigen::Index few = 200;  // unknowns for which a dense solver is as fast
+
+// The body alone, at rest, under nothing but its pins.
+Scene alone(const Scene& scene, std::size_t number) {
+  Scene one;
+  one.dimension = scene.dimension;
+  one.world.gravity.setZero();
+  one.solver.linear = LinearSolverKind::cholmod;
+  one.bodies = {scene.bodies[number]};
+  Body& body = one.bodies[0];
+  body.start = {};
+  body.damping = {};
+  body.tractions.clear();
+  body.untangle = 0;
+  return one;
+}
+
+// K and M of the free components.
+struct Pencil {
+  Eigen::VectorXd free;
+  SparseMatrix K, M;
+
+  explicit Pencil(const System& system) {
+    const Model& model = parts_of(system).model;
+    TangentOperator tangent(model, 1);
+    model.pins.mark(0, tangent.free());
+    free = tangent.free();
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.dofs());
+    Eigen::VectorXd f(model.dofs());
+    tangent.linearise({model.X, still, 0, 0}, 0, Definiteness::none, f);
+    BlockMatrix stiffness(*model.pattern, model.D), mass(*model.pattern, model.D);
+    tangent.assemble(stiffness);
+    for (const Mass& m : model.masses) m.add_matrix(1, mass);
+    K = free_part(stiffness, free);
+    M = free_part(mass, free);
+  }
+  Eigen::Index size() const { return K.rows(); }
+};
+
+struct Pairs {
+  Eigen::VectorXd values;   // omega^2, rising
+  Eigen::MatrixXd vectors;  // of the free components
+};
+
+Pairs dense_pairs(const Pencil& pencil, Eigen::Index count) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(pencil.K),
+                                                                         Eigen::MatrixXd(pencil.M));
+  return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
+}
+
+// Shift and invert about a value a little below zero, so that K - sigma M has a factor where K has none.
+Pairs sparse_pairs(const Pencil& pencil, Eigen::Index count) {
+  using Shift = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
+  const double sigma = -1e-9 * pencil.K.diagonal().maxCoeff() / pencil.M.diagonal().maxCoeff();
+  Shift shift(pencil.K, pencil.M);
+  Product product(pencil.M);
+  const Eigen::Index space = std::min(pencil.size(), 4 * count + 20);
+  Spectra::SymGEigsShiftSolver<Shift, Product, Spectra::GEigsMode::ShiftInvert> solver(shift, product, count, space,
+                                                                                       sigma);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10, Spectra::SortRule::SmallestAlge);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+}  // namespace
+
+Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
+  const System system(alone(scene, body));
+  const Pencil pencil(system);
+  const Eigen::Index wanted = std::min<Eigen::Index>(count, pencil.size());
+  const bool dense = pencil.size() <= few || 4 * wanted > pencil.size();
+  const Pairs pairs = dense ? dense_pairs(pencil, wanted) : sparse_pairs(pencil, wanted);
+  Modes modes;
+  // Round-off of rigid motions may be negative.
+  modes.omega = pairs.values.cwiseMax(0.0).cwiseSqrt();
+  modes.shape = Eigen::MatrixXd::Zero(pencil.free.size(), pairs.vectors.cols());
+  for (Eigen::Index i = 0, row = 0; i < pencil.free.size(); ++i)
+    if (pencil.free[i] != 0) modes.shape.row(i) = pairs.vectors.row(row++);
+  for (auto psi : modes.shape.colwise()) {
+    Eigen::Index largest = 0;
+    psi.cwiseAbs().maxCoeff(&largest);
+    if (psi[largest] < 0) psi = -psi;
+  }
+  return modes;
+}
+
+double fastest_frequency(const Scene& scene, std::size_t body) {
+  const System system(alone(scene, body));
+  const Pencil pencil(system);
+  if (pencil.size() <= few) return std::sqrt(dense_pairs(pencil, pencil.size()).values.maxCoeff());
+  Product stiffness(pencil.K);
+  Spectra::SparseCholesky<double> mass(pencil.M);
+  Spectra::SymGEigsSolver<Product, Spectra::SparseCholesky<double>, Spectra::GEigsMode::Cholesky> solver(stiffness,
+                                                                                                         mass, 1, 60);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, 1000, 1e-12);
+  return std::sqrt(solver.eigenvalues()[0]);
+}
+
+bool starts_in_a_mode(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return body.start.shape == "mode"; });
+}
+
+Scene with_modes_started(Scene scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Body& body = scene.bodies[b];
+    if (body.start.shape != "mode") continue;
+    const Modes modes = vibration_modes(scene, b, body.start.mode);
+    if (modes.omega.size() < body.start.mode)
+      throw InputError("body." + std::to_string(b) + ".start.mode",
+                       "the body has " + std::to_string(modes.omega.size()) + " vibration modes");
+    const auto psi = modes.shape.col(body.start.mode - 1).reshaped(scene.dimension, body.mesh.node_count());
+    const double amplitude = body.start.amount.value_or(find_start_shape("mode")->amount);
+    const double scale = amplitude / psi.colwise().norm().maxCoeff();
+    body.start.nodes.assign(static_cast<std::size_t>(body.mesh.node_count()), Vec3::Zero());
+    for (int i = 0; i < body.mesh.node_count(); ++i) {
+      Vec3& x = body.start.nodes[static_cast<std::size_t>(i)];
+      x.head(body.mesh.dimension()) = body.mesh.X.col(i);
+      x.head(scene.dimension) += scale * psi.col(i);
+    }
+  }
+  return scene;
+}
+
+}  // namespace sim
