@@ -31,7 +31,7 @@ class StepLimit : public Exhibit {
              {"1.05", 1.05, Ink::purple, false, {}}};
     for (Run& run : runs_) run.reach = sim::growth(body_.alone(), "central-difference", run.ratio * 2 / omega_, kSteps);
     runs_.push_back(
-        {"implicit, 3", 3, Ink::blue, true, sim::growth(body_.alone(), "backward-euler", 6 / omega_, kSteps)});
+        {"implicit at 3", 3, Ink::blue, true, sim::growth(body_.alone(), "backward-euler", 6 / omega_, kSteps)});
     sim::Scene implicit = body_.alone();
     implicit.time.integrator = "backward-euler";
     implicit.solver.linear = sim::LinearSolverKind::cholmod;

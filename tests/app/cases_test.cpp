@@ -60,10 +60,9 @@ TEST(Cases, NodesThatCoincideAreCountedAndJoinedOnDemand) {
 }
 
 TEST(Cases, AFlatMeshCanBeAMembraneInSpace) {
-  const Simulation simulation =
-      case_of("map-coordinates",
-              {case_setting("body.0.mesh.space", "3"), case_setting("look.axes", "false"),
-               case_setting("body.0.mesh.translate", "[0, 0, 1]"), case_setting("probe.0.at", "[4, 0.5, 1]")});
+  const Simulation simulation = case_of(
+      "flat-in-space", {case_setting("body.0.mesh.space", "3"), case_setting("body.0.mesh.translate", "[0, 0, 1]"),
+                        case_setting("probe.0.at", "[4, 0.5, 1]")});
   EXPECT_EQ(simulation.document.scene.dimension, 3);
   EXPECT_EQ(simulation.document.scene.bodies[0].mesh.X.row(2).minCoeff(), 1);
 }

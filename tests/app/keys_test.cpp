@@ -43,6 +43,8 @@ Value sample(const Key& key) {
     case Kind::integers:
     case Kind::numbers:
       return std::vector<double>(static_cast<std::size_t>(key.size[1]), 3.0);
+    case Kind::joining:
+      return 0.5;
     case Kind::names:
       return std::vector<std::string>{"one", "two"};
     case Kind::point:

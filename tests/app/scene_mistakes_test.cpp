@@ -17,7 +17,7 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {"[tiem]\nfps = 30\n", "scene.toml:1: unknown key 'tiem': did you mean 'time'?"},
       {"\nfps = 30\n", "scene.toml:2: unknown key 'fps': did you mean 'time.fps'?"},
       {"[look]\nqqqqqqqqq = 1\n",
-       "scene.toml:2: unknown key 'look.qqqqqqqqq': known here are colour, range, colour_map, finish, smooth, "
+       "scene.toml:2: unknown key 'look.qqqqqqqqq': known here are style, colour, range, colour_map, finish, smooth, "
        "background, shadows, ground, ground_height, obstacles, wireframe, ghost, pins, forces, force_scale, "
        "velocities, "
        "velocity_scale, caption, labels, energies, axes, scale_bar"},
