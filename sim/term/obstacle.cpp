@@ -3,11 +3,54 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string_view>
+#include <variant>
 
 #include "sim/contact/barrier.h"
 #include "sim/contact/smooth_friction.h"
 
 namespace sim {
+
+namespace {
+
+// One function for each shape and operation, so that a shape that lacks one does not compile.
+std::string_view name_of(const Plane&) {
+  return "plane";
+}
+std::string_view name_of(const Sphere&) {
+  return "sphere";
+}
+
+double distance_to(const Plane& plane, const Vec3& x, Vec3& normal) {
+  normal = plane.normal.normalized();
+  return normal.dot(x - plane.point);
+}
+double distance_to(const Sphere& sphere, const Vec3& x, Vec3& normal) {
+  const Vec3 arm = x - sphere.centre;
+  normal = arm.norm() > 0 ? Vec3(arm.normalized()) : Vec3(Vec3::UnitY());
+  return arm.norm() - sphere.radius;
+}
+
+// d2 d/dx2 at the distance d: zero for a plane, (I - n n^T)/|x - c| for a sphere.
+Eigen::Matrix3d curvature_of(const Plane&, const Vec3& /*normal*/, double /*d*/) {
+  return Eigen::Matrix3d::Zero();
+}
+Eigen::Matrix3d curvature_of(const Sphere& sphere, const Vec3& normal, double d) {
+  return (Eigen::Matrix3d::Identity() - normal * normal.transpose()) / (d + sphere.radius);
+}
+
+// The a at which d(x + a p) = 0, infinity where there is none ahead; d is the distance at x and n its gradient.
+double way_to(const Plane&, const Vec3& /*x*/, const Vec3& p, double d, const Vec3& n) {
+  return n.dot(p) < 0 ? d / -n.dot(p) : std::numeric_limits<double>::infinity();
+}
+// |x + a p - c|^2 = r^2
+double way_to(const Sphere& sphere, const Vec3& x, const Vec3& p, double d, const Vec3& /*n*/) {
+  const double A = p.squaredNorm(), B = (x - sphere.centre).dot(p), C = d * (d + 2 * sphere.radius);
+  const double discriminant = B * B - A * C;
+  return B < 0 && discriminant >= 0 ? C / (std::sqrt(discriminant) - B) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 // Per contact: the normal force and direction when the step began, and the block of the last linearisation.
 struct ObstacleTerm::Blocks : Store {
@@ -23,7 +66,7 @@ ObstacleTerm::ObstacleTerm(const Obstacle& obstacle, std::vector<Contact> contac
 
 TermInfo ObstacleTerm::info() const {
   std::ostringstream what;
-  what << (std::holds_alternative<Plane>(obstacle_.shape) ? "plane" : "sphere") << ", " << contacts_.size()
+  what << std::visit([](const auto& shape) { return name_of(shape); }, obstacle_.shape) << ", " << contacts_.size()
        << " nodes, barrier from " << dh_ << " m, friction " << obstacle_.friction;
   return {"obstacle", what.str()};
 }
@@ -44,21 +87,11 @@ Vec3 ObstacleTerm::at(const Eigen::VectorXd& x, int node) const {
 }
 
 double ObstacleTerm::distance(const Vec3& x, Vec3& normal) const {
-  if (const Plane* plane = std::get_if<Plane>(&obstacle_.shape)) {
-    normal = plane->normal.normalized();
-    return normal.dot(x - plane->point);
-  }
-  const Sphere& sphere = std::get<Sphere>(obstacle_.shape);
-  const Vec3 arm = x - sphere.centre;
-  normal = arm.norm() > 0 ? Vec3(arm.normalized()) : Vec3(Vec3::UnitY());
-  return arm.norm() - sphere.radius;
+  return std::visit([&](const auto& shape) { return distance_to(shape, x, normal); }, obstacle_.shape);
 }
 
-// d2 d/dx2: zero for a plane, (I - n n^T)/|x - c| for a sphere.
 Eigen::Matrix3d ObstacleTerm::curvature(const Vec3& normal, double d) const {
-  const Sphere* sphere = std::get_if<Sphere>(&obstacle_.shape);
-  if (!sphere) return Eigen::Matrix3d::Zero();
-  return (Eigen::Matrix3d::Identity() - normal * normal.transpose()) / (d + sphere->radius);
+  return std::visit([&](const auto& shape) { return curvature_of(shape, normal, d); }, obstacle_.shape);
 }
 
 void ObstacleTerm::begin_step(const Motion& start, Store& store) const {
@@ -144,20 +177,14 @@ void ObstacleTerm::bind(const BlockPattern& pattern) {
   for (const Contact& contact : contacts_) slot_.push_back(pattern.slot(contact.node, contact.node));
 }
 
-// d(x + a dx) = 0: linear in a for a plane, |x + a dx - c|^2 = r^2 for a sphere.
 double ObstacleTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store&) const {
   double largest = 1;
   Vec3 n;
   for (const Contact& contact : contacts_) {
     const Vec3 x = at(motion.x, contact.node), p = at(dx, contact.node);
     const double d = distance(x, n);
-    if (const Sphere* sphere = std::get_if<Sphere>(&obstacle_.shape)) {
-      const double A = p.squaredNorm(), B = (x - sphere->centre).dot(p), C = d * (d + 2 * sphere->radius);
-      const double discriminant = B * B - A * C;
-      if (B < 0 && discriminant >= 0) largest = std::min(largest, C / (std::sqrt(discriminant) - B));
-    } else if (n.dot(p) < 0) {
-      largest = std::min(largest, d / -n.dot(p));
-    }
+    const double way = std::visit([&](const auto& shape) { return way_to(shape, x, p, d, n); }, obstacle_.shape);
+    largest = std::min(largest, way);
   }
   return largest;
 }
