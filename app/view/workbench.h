@@ -69,9 +69,9 @@ class Workbench {
   Panel panel_;
   bool playing_ = false, quits_ = false, panel_shown_ = true, help_ = false, screenshot_ = false;
   std::optional<std::size_t> ring_;  // that is dragged: its number among those of the picture
-  std::optional<PullTo> pull_to_;  // applied before the next step: a mouse moves more often than that
-  double time_ = 0;                // s simulated since the session began
-  sim::StepReport report_;         // of the last step
+  std::optional<PullTo> pull_to_;    // applied before the next step: a mouse moves more often than that
+  double time_ = 0;                  // s simulated since the session began
+  sim::StepReport report_;           // of the last step
   std::string message_;
 
   FrameHistory frames_;                      // the energies and colours of the frames so far

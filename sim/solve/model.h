@@ -36,7 +36,7 @@ struct Model {
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<ElasticPart> elastic;
   std::vector<const ContactTerm*> contacts;  // of the terms
-  std::optional<BlockPattern> pattern;  // only where a solver forms a matrix
+  std::optional<BlockPattern> pattern;       // only where a solver forms a matrix
   Pins pins;
   double energy_scale = 0;  // J: Young's modulus times volume, all bodies; round-off of U is relative to it
   double bound = 0;         // m: a position beyond it has no meaning left, 1e12 sizes of the scene

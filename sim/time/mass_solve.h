@@ -2,8 +2,8 @@
 // (the diagonal is a good preconditioner there: the condition number does not grow with the mesh [Wathen 1987]).
 #pragma once
 
-#include "sim/solve/model.h"
 #include "sim/linear/pcg.h"
+#include "sim/solve/model.h"
 
 namespace sim {
 

@@ -27,11 +27,11 @@ struct Scheme {
   std::string_view name;
   int order;
   std::span<const Stage> stages = {};  // of an implicit scheme
-  Kick kick = Kick::none;            // of an explicit one
-  std::string_view first_step = {};  // a two-step scheme: the scheme that makes its first step
-  bool extrapolate = false;          // x_{n+1} = 2 x_s - x_n
-  bool one_iteration = false;        // exactly one Newton step
-  bool is_static = false;            // minimise U alone
+  Kick kick = Kick::none;              // of an explicit one
+  std::string_view first_step = {};    // a two-step scheme: the scheme that makes its first step
+  bool extrapolate = false;            // x_{n+1} = 2 x_s - x_n
+  bool one_iteration = false;          // exactly one Newton step
+  bool is_static = false;              // minimise U alone
 
   bool is_explicit() const { return kick != Kick::none; }
 };

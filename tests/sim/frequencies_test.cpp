@@ -120,7 +120,8 @@ TEST(Frequencies, ABodyThatStartsInAModeRingsWithItsFrequency) {
 // A static system weighs with consistent mass, but its limit is that of the mass that the scene names.
 TEST(Frequencies, TheLimitOfAStaticSceneIsThatOfItsOwnMass) {
   Scene scene = plane_beam(ElementKind::quad4, 16, 4, 1e6);
-  for (const auto& [mass, limit] : {std::pair{MassMatrix::lumped, 0.006730891677}, std::pair{MassMatrix::consistent, 0.00344117222}}) {
+  for (const auto& [mass, limit] :
+       {std::pair{MassMatrix::lumped, 0.006730891677}, std::pair{MassMatrix::consistent, 0.00344117222}}) {
     scene.bodies[0].mass = mass;
     scene.time.integrator = "static";
     const double found = explicit_limit(scene, System(scene), 1);

@@ -33,7 +33,8 @@ std::vector<Key> given_keys() {
       {"body[].start.file", Form(Kind::text).otherwise("none"), file,
        "Of shape = \"nodes\", instead of nodes: a text file with a node on each line."},
       {"body[].start.mode", Form(Kind::integer, "", between(1, 1e6)), field<start_of, &sim::Start::mode>,
-       "Of shape = \"mode\": which vibration mode of the body, pinned as it is, at rest; the slowest is 1. `ritz modes` "
+       "Of shape = \"mode\": which vibration mode of the body, pinned as it is, at rest; the slowest is 1. `ritz "
+       "modes` "
        "lists them."},
   };
 }
