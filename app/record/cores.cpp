@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-// Seconds of one thread, measured on the scenes of assets/ (run.json tells them): only their ratio matters.
+// Seconds of one thread, estimated from recordings of the bear (run.json tells them): only their ratio matters.
 constexpr double kImplicitStep = 7e-6;  // for a free degree of freedom
 constexpr double kExplicitStep = 2e-7;
 constexpr double kPixel = 5e-8;  // drawn and written
