@@ -34,19 +34,19 @@ void set_threads_of_openmp(char** argv) {
 int main(int argc, char** argv) {
   set_threads_of_openmp(argv);
   try {
-    int exit_code = app::kDone;
+    int exit_code = app::exit_done;
     const auto options = app::parse_command_line({argv + 1, argv + argc}, std::cout, std::cerr, exit_code);
     return options ? app::find_command(options->command).run(*options) : exit_code;
   } catch (const app::SceneError& error) {
     // All that is wrong with a scene, a line each.
     std::istringstream lines(error.what());
     for (std::string line; std::getline(lines, line);) std::cerr << "ritz: " << line << '\n';
-    return app::kBadInput;
+    return app::exit_bad_input;
   } catch (const std::bad_alloc&) {
     std::cerr << "ritz: out of memory: take a coarser mesh\n";
-    return app::kNumericalFailure;
+    return app::exit_numerical_failure;
   } catch (const std::exception& error) {
     std::cerr << "ritz: " << error.what() << '\n';
-    return app::kBadInput;
+    return app::exit_bad_input;
   }
 }

@@ -7,7 +7,7 @@
 namespace render {
 namespace {
 
-constexpr float kPitch = 1.06F;  // of lines, of the letters' size
+constexpr float line_pitch = 1.06F;  // of lines, of the letters' size
 
 // Writes items down a column; digits have one width, and what is right-aligned keeps its place when they change.
 class Column {
@@ -19,7 +19,7 @@ class Column {
     Page heading = page_;
     heading.text = page_.bold;
     heading.write(left_, y_, text, Align::left, colour_of(Ink::black));
-    y_ += kPitch * page_.size;
+    y_ += line_pitch * page_.size;
   }
   void gap() { y_ += 0.4F * page_.size; }
   void add(const Line& line);
@@ -40,7 +40,7 @@ void Column::add(const Line& line) {
   const std::string unit = line.number.unit.empty() ? "" : " " + line.number.unit;
   page_.write(right_ - width_of(unit), y_, line.number.text, Align::right, colour);
   page_.write(right_, y_, unit, Align::right, colour);
-  y_ += kPitch * page_.size;
+  y_ += line_pitch * page_.size;
 }
 
 // One half of a pair of brackets; its ends point `towards` the numbers.
@@ -52,7 +52,7 @@ void Column::bracket(float x, float top, float bottom, float towards) const {
 void Column::add(const Matrix& matrix) {
   const auto columns = static_cast<std::size_t>(matrix.columns);
   const std::size_t rows = matrix.entries.size() / columns;
-  const float pitch = kPitch * page_.size, height = pitch * static_cast<float>(rows);
+  const float pitch = line_pitch * page_.size, height = pitch * static_cast<float>(rows);
   const float space = 0.55F * page_.size, foot = 0.3F * page_.size;
   std::vector<float> widths(columns, 0.0F);
   for (std::size_t k = 0; k < matrix.entries.size(); ++k)
@@ -96,8 +96,8 @@ void Column::add(const Table& table) {
   page_.write(left_, y_, table.head[0], Align::left, colour_of(Ink::black));
   for (std::size_t c = 1; c < columns; ++c)
     page_.write(edge(c), y_, table.head[c], Align::right, colour_of(Ink::black));
-  y_ += kPitch * page_.size;
-  for (std::size_t r = 0; r < table.rows.size(); ++r, y_ += kPitch * page_.size) {
+  y_ += line_pitch * page_.size;
+  for (std::size_t r = 0; r < table.rows.size(); ++r, y_ += line_pitch * page_.size) {
     const Table::Row& row = table.rows[r];
     page_.write(left_, y_, row.label, Align::left, colour_of(row.ink));
     for (std::size_t c = 0; c < row.numbers.size(); ++c) {

@@ -7,7 +7,8 @@
 namespace render {
 namespace {
 
-constexpr std::size_t kTwice = 3000, kOnce = 9000;  // up to so many triangles are split twice, or once
+constexpr std::size_t split_twice_below = 3000,
+                      split_once_below = 9000;  // up to so many triangles are split twice, or once
 
 std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -73,7 +74,7 @@ void split_edges(const Middles& middles, std::uint32_t vertices, std::vector<std
 
 std::vector<Rounding> rounding_of(const Smoothing& smoothing, std::vector<std::uint32_t>& edges) {
   const std::size_t count = smoothing.triangles.size() / 3;
-  const int wanted = count <= kTwice ? 2 : count <= kOnce ? 1 : 0;
+  const int wanted = count <= split_twice_below ? 2 : count <= split_once_below ? 1 : 0;
   std::vector<Rounding> levels;
   auto vertices = static_cast<std::uint32_t>(smoothing.source.size());
   if (wanted > 0) find_copies(smoothing, edges);

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t kBuffer = 1 << 16;
+constexpr std::size_t buffer = 1 << 16;
 
 [[noreturn]] void throw_write_error(const std::filesystem::path& path, int error) {
   throw WriteError("cannot write " + path.string() + ": " + std::strerror(error));
@@ -49,8 +49,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (buffer_.size() + bytes.size() > kBuffer) flush();
-  if (bytes.size() >= kBuffer) {
+  if (buffer_.size() + bytes.size() > buffer) flush();
+  if (bytes.size() >= buffer) {
     send(bytes);
   } else {
     buffer_.append(bytes);

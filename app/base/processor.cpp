@@ -59,7 +59,7 @@ __attribute__((constructor(101))) void check_processor() {
   say("ritz: this processor does not have the instructions \"");
   say(missing);
   say("\" that this program was built with; build it on this machine, or with -DRITZ_PORTABLE=ON where it has avx2\n");
-  _exit(kBadInput);
+  _exit(exit_bad_input);
 }
 
 }  // namespace

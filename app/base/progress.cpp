@@ -10,9 +10,9 @@
 namespace app {
 namespace {
 
-constexpr int kBarWidth = 24;
-constexpr double kBarPause = 0.1;    // s between two prints
-constexpr double kLinesPause = 3.0;  // s
+constexpr int bar_width = 24;
+constexpr double bar_pause = 0.1;    // s between two prints
+constexpr double lines_pause = 3.0;  // s
 
 double seconds_between(Progress::Clock::time_point from, Progress::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -21,9 +21,9 @@ double seconds_between(Progress::Clock::time_point from, Progress::Clock::time_p
 }  // namespace
 
 std::string progress_bar(double share) {
-  const int full = static_cast<int>(share * kBarWidth);
+  const int full = static_cast<int>(share * bar_width);
   return "[" + std::string(static_cast<std::size_t>(full), '#') +
-         std::string(static_cast<std::size_t>(kBarWidth - full), '.') + "] ";
+         std::string(static_cast<std::size_t>(bar_width - full), '.') + "] ";
 }
 
 ProgressStyle progress_style(bool quiet) {
@@ -45,7 +45,7 @@ Progress::Progress(std::ostream& out, ProgressStyle style, const ProgressPlan& p
 void Progress::update(std::int64_t step, Clock::time_point now) {
   if (style_ == ProgressStyle::silent) return;
   const bool as_bar = style_ == ProgressStyle::bar;
-  if (seconds_between(printed_, now) < (as_bar ? kBarPause : kLinesPause)) return;
+  if (seconds_between(printed_, now) < (as_bar ? bar_pause : lines_pause)) return;
   printed_ = now;
   const double share = static_cast<double>(step) / static_cast<double>(std::max<std::int64_t>(plan_.last_step, 1));
   if (as_bar) {

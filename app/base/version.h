@@ -4,6 +4,6 @@
 
 namespace app {
 
-constexpr std::string_view kVersion = "0.1";
+constexpr std::string_view ritz_version = "0.1";
 
 }  // namespace app

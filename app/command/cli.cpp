@@ -17,9 +17,9 @@
 namespace app {
 namespace {
 
-constexpr int kLargestSize = 8192;  // pixels; what software rasterisers draw
-constexpr int kMostThreads = 1024;
-constexpr int kMost = 1'000'000'000;  // of a count
+constexpr int largest_size = 8192;  // pixels; what software rasterisers draw
+constexpr int most_threads = 1024;
+constexpr int most = 1'000'000'000;  // of a count
 
 // KEY=VALUE; the value may hold more '='.
 void add_override(std::vector<Override>& overrides, const std::string& text) {
@@ -36,7 +36,7 @@ void read_size(Options& options, const std::string& text) {
   const auto [x, width_error] = std::from_chars(text.data(), end, options.width);
   const bool has_x = width_error == std::errc{} && x != end && *x == 'x';
   const auto [rest, height_error] = std::from_chars(has_x ? x + 1 : end, end, options.height);
-  const auto fits = [](int size) { return size >= 1 && size <= kLargestSize; };
+  const auto fits = [](int size) { return size >= 1 && size <= largest_size; };
   if (!has_x || height_error != std::errc{} || rest != end || !fits(options.width) || !fits(options.height)) {
     throw CLI::ValidationError("--size " + text, "must be WIDTHxHEIGHT in pixels, each 1 to 8192, as in 1280x720");
   }
@@ -69,7 +69,7 @@ void add_scene_options(CLI::App& command, Options& options) {
   command
       .add_option("--threads", options.threads,
                   "Cores to use, all of them when not given; the results do not depend on it")
-      ->check(CLI::Range(1, kMostThreads))
+      ->check(CLI::Range(1, most_threads))
       ->type_name("N");
   command
       .add_option_function<std::uint64_t>(
@@ -112,9 +112,8 @@ std::vector<std::string> context_names() {
 
 void add_picture_options(CLI::App& command, Options& options) {
   add_size_options(command, options, "Size of a frame in pixels [1280x720]");
-  CLI::Option* const every = command.add_option("--every", options.every, "Draw every N-th frame")
-                                 ->check(CLI::Range(1, kMost))
-                                 ->type_name("N");
+  CLI::Option* const every =
+      command.add_option("--every", options.every, "Draw every N-th frame")->check(CLI::Range(1, most))->type_name("N");
   command.add_flag("--still", options.still, "Draw the last frame only")->excludes(every);
   command.add_option("--context", options.context, "What draws without a window, of the kinds that --version lists")
       ->envname("RITZ_CONTEXT")
@@ -237,16 +236,16 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
     if (explain.parsed() && !options.keys && options.scene.empty()) throw CLI::RequiredError("SCENE");
     if (manual || completion) {
       out << (manual ? manual_page(app) : bash_completion(app));
-      exit_code = kDone;
+      exit_code = exit_done;
       return std::nullopt;
     }
   } catch (const CLI::ParseError& error) {
-    exit_code = app.exit(error, out, err) == 0 ? kDone : kBadInput;
+    exit_code = app.exit(error, out, err) == 0 ? exit_done : exit_bad_input;
     return std::nullopt;
   }
   if (app.get_subcommands().empty()) {
     out << app.help();
-    exit_code = kBadInput;  // a script whose command is an empty variable is not to go on
+    exit_code = exit_bad_input;  // a script whose command is an empty variable is not to go on
     return std::nullopt;
   }
   options.command = app.get_subcommands().front()->get_name();

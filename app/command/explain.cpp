@@ -14,7 +14,7 @@ namespace {
 std::string bytes_text(double bytes) {
   if (bytes >= 1e9) return formatted("%.1f GB", bytes / 1e9);
   if (bytes >= 1e6) return formatted("%.1f MB", bytes / 1e6);
-  return formatted("%.0f kB", bytes / 1e3);
+  return formatted("%.0f b", bytes / 1e3);
 }
 
 void print_line(const std::string& name, const std::string& value) {
@@ -72,7 +72,7 @@ void print_changed_keys(const Document& document) {
 int explain(const Options& options) {
   if (options.keys) {
     std::cout << key_reference_markdown();
-    return kDone;
+    return exit_done;
   }
   const Simulation simulation = build_simulation(options);
   std::cout << simulation.document.title << '\n';
@@ -81,7 +81,7 @@ int explain(const Options& options) {
   print_costs(*simulation.system);
   print_changed_keys(simulation.document);
   for (const std::string& remark : simulation.remarks()) std::cout << "note: " << remark << '\n';
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

@@ -72,7 +72,7 @@ std::string of_files(const CLI::App& ritz) {
 }  // namespace
 
 std::string manual_page(const CLI::App& ritz) {
-  std::string page = ".TH RITZ 1 \"\" \"ritz " + std::string(kVersion) + "\"\n.SH NAME\nritz \\- " +
+  std::string page = ".TH RITZ 1 \"\" \"ritz " + std::string(ritz_version) + "\"\n.SH NAME\nritz \\- " +
                      roff(ritz.get_description()) + "\n.SH SYNOPSIS\n.B ritz\n.I COMMAND\n[\\fIOPTION\\fR ...]\n";
   page += ".SH OPTIONS\n";
   put_option_list(page, ritz);

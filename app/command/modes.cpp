@@ -17,7 +17,7 @@
 namespace app {
 namespace {
 
-constexpr double kShown = 0.1;  // largest displacement in a picture, of the body's size
+constexpr double shown = 0.1;  // largest displacement in a picture, of the body's size
 
 std::string formatted(const char* format, double number) {
   char text[40];
@@ -43,7 +43,7 @@ sim::State state_in(const sim::System& system, const sim::BodyRange& body, const
       x.segment(Eigen::Index{D} * i, range.mesh->dimension()) = range.mesh->X.col(i);
     if (&range != &body) continue;
     const double reach = shape.reshaped(D, range.node_count).colwise().norm().maxCoeff();
-    x += kShown * range.size / reach * shape;
+    x += shown * range.size / reach * shape;
   }
   return state;
 }
@@ -118,7 +118,7 @@ int modes(const Options& options) {
   make_folder(folder);
   book.write();
   std::cerr << "modes.csv and pictures in " << folder.string() << '\n';
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

@@ -40,9 +40,9 @@ int record(const Options& options) {
     one.scene = page;
     one.out = deck / page.stem();
     if (!options.quiet) std::cerr << page.string() << '\n';
-    if (const int code = record_page(one); code != kDone) return code;
+    if (const int code = record_page(one); code != exit_done) return code;
   }
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

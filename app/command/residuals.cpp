@@ -62,7 +62,7 @@ int residuals(const Options& options) {
   std::cout << "numbers in " << folder.string() << "/residuals.csv, coefficients.csv, orders.csv\n"
             << (drawn ? "diagrams beside them, -solutions and -convergence as .svg and .png\n"
                       : "no diagrams: gnuplot is not installed or failed; its scripts are in the folder\n");
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

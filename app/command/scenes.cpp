@@ -34,7 +34,7 @@ int scenes(const Options& options) {
     one.scene = find_scene(name);
     print_scene(name, one);
   }
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

@@ -19,7 +19,7 @@
 namespace app {
 namespace {
 
-constexpr std::int64_t kLongRun = 100000;  // steps
+constexpr std::int64_t long_run = 100000;  // steps
 
 CaseResult run_case(const StabilityCase& c, const std::function<bool()>& interrupted) {
   const Stopwatch watch;
@@ -116,9 +116,9 @@ int stress(const Options& options) {
   cases.resize(results.size());
   std::cout << table_summary(cases, results);
   if (options.scene.empty() && options.only.empty() && !options.quick && !board.interrupted())
-    std::cout << flight_table(fly(kLongRun, options.threads, [&] { return board.interrupted(); }), kLongRun);
+    std::cout << flight_table(fly(long_run, options.threads, [&] { return board.interrupted(); }), long_run);
   write_atomically(file, stability_csv(cases, results), false);
-  return board.interrupted() ? kInterrupted : kDone;
+  return board.interrupted() ? exit_interrupted : exit_done;
 }
 
 }  // namespace app

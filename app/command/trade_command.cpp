@@ -24,7 +24,7 @@ std::vector<TradeCase> jobs_of(const Comparison& comparison) {
 int list_jobs(const Options& options) {
   int number = 0;
   for (const TradeCase& which : jobs_of(make_comparison(options))) std::cout << number++ << '\t' << which.label << '\n';
-  return kDone;
+  return exit_done;
 }
 
 int run_one(const Options& options) {
@@ -39,9 +39,9 @@ int run_one(const Options& options) {
   try {
     notebook.run(jobs[number], 1e9);
   } catch (const Interrupted&) {
-    return kInterrupted;
+    return exit_interrupted;
   }
-  return kDone;
+  return exit_done;
 }
 
 // A file that says where a mesh comes from is a scene of its own; others lie over the scene.
@@ -69,7 +69,7 @@ Options other_options(const Options& options) {
 int interrupted(const std::filesystem::path& folder) {
   std::cerr << "ritz: interrupted; the runs made so far are in " << (folder / "trade.csv").string()
             << ", the same command goes on from them\n";
-  return kInterrupted;
+  return exit_interrupted;
 }
 
 // Both scenes, each in half of the time, then one diagram.
@@ -96,7 +96,7 @@ int compare(const Options& options) {
     second.name += ", " + options.trade.compare.stem().string();
   }
   draw({first, second}, folder / "compare", options.quiet);
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ int trade(const Options& options) {
     return interrupted(folder);
   }
   trade.report();
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

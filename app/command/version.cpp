@@ -32,7 +32,7 @@ std::string instructions_text() {
 }  // namespace
 
 std::string version_text() {
-  return "ritz " + std::string(kVersion) + "\ncommit        " + RITZ_COMMIT + "\ncompiler      GCC " + __VERSION__ +
+  return "ritz " + std::string(ritz_version) + "\ncommit        " + RITZ_COMMIT + "\ncompiler      GCC " + __VERSION__ +
          "\ndraws by      " + contexts_text() + "\ninstructions  " + instructions_text();
 }
 

@@ -118,9 +118,9 @@ int view(const Options& given) {
   } catch (const render::NoDisplay& none) {
     std::cerr << "ritz: no window can be opened (" << none.what() << "); `ritz record " << options.scene.string()
               << "` draws without a display\n";
-    return kBadInput;
+    return exit_bad_input;
   }
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

@@ -25,9 +25,9 @@ struct Fix {
   Ink ink;
   bool dashed;
 };
-constexpr Fix kFixes[] = {{"none", Definiteness::none, Ink::red, false},
-                          {"clamp", Definiteness::clamp, Ink::black, true},
-                          {"abs", Definiteness::abs, Ink::blue, false}};
+constexpr Fix fixes[] = {{"none", Definiteness::none, Ink::red, false},
+                         {"clamp", Definiteness::clamp, Ink::black, true},
+                         {"abs", Definiteness::abs, Ink::blue, false}};
 
 const char* name_of(const sim::NewtonPath& path) {
   if (path.singular) return "K = 0: stuck";
@@ -56,7 +56,7 @@ class DefinitenessFix : public Exhibit {
     start_ = input.system.initial_state().x;
     if (input.spec.nodes.size() > 1) throw sim::InputError("nodes", "must be one point: where the free node starts");
     if (!input.spec.nodes.empty()) start_.segment(2 * free_, 2) = input.spec.nodes[0].head<2>();
-    for (const Fix& fix : kFixes) paths_.push_back(sim::pure_newton(input.system, start_, fix.kind));
+    for (const Fix& fix : fixes) paths_.push_back(sim::pure_newton(input.system, start_, fix.kind));
     survey();
   }
 
@@ -71,12 +71,12 @@ class DefinitenessFix : public Exhibit {
       const sim::NewtonPath& path = paths_[k];
       const int at = std::min(shown, path.iterations());
       const bool ended = shown >= path.iterations();
-      const std::string name = kFixes[k].name;
+      const std::string name = fixes[k].name;
       table.rows.push_back({name,
                             {number(name + ".steps", "%.0f", at),
                              number(name + ".U", "%.1f", path.energy[static_cast<std::size_t>(at)], "J"),
                              {name + ".end", ended ? name_of(path) : "...", ""}},
-                            kFixes[k].ink});
+                            fixes[k].ink});
     }
     sheet.blocks.push_back({"Newton on U(x), node " + std::to_string(free_ + 1) + " free", {table}});
     sheet.blocks.push_back(eigenvalues());
@@ -92,7 +92,7 @@ class DefinitenessFix : public Exhibit {
   }
 
  private:
-  static constexpr int kAcross = 44, kUp = 34;
+  static constexpr int across = 44, up = 34;
 
   // U over the places of the free node.
   void survey() {
@@ -102,9 +102,9 @@ class DefinitenessFix : public Exhibit {
     x_ = {low.x() - 0.15 * size, high.x() + 0.25 * size};
     y_ = {std::min(low.y() - 0.35 * size, start_[2 * free_ + 1] - 0.1 * size), high.y() + 0.25 * size};
     Eigen::VectorXd x = start_;
-    energy_.resize(kUp + 1, kAcross + 1);
-    for (int j = 0; j <= kUp; ++j)
-      for (int i = 0; i <= kAcross; ++i) {
+    energy_.resize(up + 1, across + 1);
+    for (int j = 0; j <= up; ++j)
+      for (int i = 0; i <= across; ++i) {
         const render::Spot at = place(i, j);
         x[2 * free_] = at[0];
         x[2 * free_ + 1] = at[1];
@@ -112,7 +112,7 @@ class DefinitenessFix : public Exhibit {
       }
   }
   render::Spot place(int i, int j) const {
-    return {x_[0] + (x_[1] - x_[0]) * i / kAcross, y_[0] + (y_[1] - y_[0]) * j / kUp};
+    return {x_[0] + (x_[1] - x_[0]) * i / across, y_[0] + (y_[1] - y_[0]) * j / up};
   }
 
   render::Diagram landscape(int shown) const {
@@ -120,8 +120,8 @@ class DefinitenessFix : public Exhibit {
     d.x = x_;
     d.y = y_;
     const double reach = 1.3 * paths_[0].energy[0];
-    for (int j = 0; j < kUp; ++j)
-      for (int i = 0; i < kAcross; ++i) {
+    for (int j = 0; j < up; ++j)
+      for (int i = 0; i < across; ++i) {
         const double mean = energy_.block(j, i, 2, 2).mean();
         d.patches.push_back({{place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)},
                              tint(std::sqrt(std::clamp(mean / reach, 0.0, 1.0)))});
@@ -129,13 +129,13 @@ class DefinitenessFix : public Exhibit {
     d.strokes.push_back({polygon(body_.mesh().X), Ink::black, true});
     for (std::size_t k = 0; k < paths_.size(); ++k) {
       const int last = std::min(shown, paths_[k].iterations());
-      render::Stroke stroke{{}, kFixes[k].ink, false, kFixes[k].dashed};
+      render::Stroke stroke{{}, fixes[k].ink, false, fixes[k].dashed};
       for (int p = 0; p <= last; ++p) {
         stroke.points.push_back(spot(paths_[k].points[static_cast<std::size_t>(p)].segment<2>(2 * free_)));
-        d.dots.push_back({stroke.points.back(), kFixes[k].ink});
+        d.dots.push_back({stroke.points.back(), fixes[k].ink});
       }
       d.strokes.push_back(stroke);
-      if (last > 0) d.words.push_back({stroke.points.back(), kFixes[k].name, kFixes[k].ink});
+      if (last > 0) d.words.push_back({stroke.points.back(), fixes[k].name, fixes[k].ink});
     }
     d.dots.push_back({spot(start_.segment<2>(2 * free_)), Ink::black, true});
     return d;
@@ -152,11 +152,11 @@ class DefinitenessFix : public Exhibit {
     render::Diagram d{.place = {0.01, 0.67, 0.58, 0.87}, .title = "eigenvalues of Kₑ at the start: none, clamp, abs"};
     d.x = {-0.5, 20.5};
     double reach = 0;
-    for (const Fix& fix : kFixes) reach = std::max(reach, eigenvalues(fix.kind).cwiseAbs().maxCoeff());
+    for (const Fix& fix : fixes) reach = std::max(reach, eigenvalues(fix.kind).cwiseAbs().maxCoeff());
     d.y = {-0.7 * reach, 1.05 * reach};
     d.strokes.push_back({{{-0.5, 0}, {20.5, 0}}, Ink::black});
-    for (std::size_t k = 0; k < std::size(kFixes); ++k) {
-      const Eigen::VectorXd values = eigenvalues(kFixes[k].kind);
+    for (std::size_t k = 0; k < std::size(fixes); ++k) {
+      const Eigen::VectorXd values = eigenvalues(fixes[k].kind);
       for (Eigen::Index i = 0; i < values.size(); ++i) {
         const double at = 7 * static_cast<double>(k) + static_cast<double>(i);
         const Ink ink = values[i] < -1e-9 * reach ? Ink::red : Ink::blue;

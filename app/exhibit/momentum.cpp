@@ -13,7 +13,7 @@ namespace {
 
 using render::Ink;
 
-constexpr Ink kInks[] = {Ink::red, Ink::blue, Ink::purple};
+constexpr Ink inks[] = {Ink::red, Ink::blue, Ink::purple};
 
 class MomentumPlot : public Exhibit {
  public:
@@ -24,7 +24,7 @@ class MomentumPlot : public Exhibit {
       flyers_.push_back(
           {b, body.name, body.damping.alpha, sim::momentum(system_, system_.initial_state(), b).linear.norm()});
     }
-    if (flyers_.empty() || flyers_.size() > std::size(kInks))
+    if (flyers_.empty() || flyers_.size() > std::size(inks))
       throw sim::InputError("kind", "\"momentum\" needs one to three bodies without pins that have a velocity");
   }
 
@@ -39,9 +39,9 @@ class MomentumPlot : public Exhibit {
     render::Block block{"momentum left", {}};
     for (std::size_t k = 0; k < flyers_.size(); ++k) {
       const int which = static_cast<int>(k);
-      d.strokes.push_back(trace_.curve(which, kInks[k]));
+      d.strokes.push_back(trace_.curve(which, inks[k]));
       const std::string& name = flyers_[k].name;
-      block.items.push_back(render::Line{name, number(name + ".p", "%.5f", now[which]), kInks[k]});
+      block.items.push_back(render::Line{name, number(name + ".p", "%.5f", now[which]), inks[k]});
     }
     for (const Flyer& flyer : flyers_) {
       if (flyer.alpha == 0) continue;

@@ -17,7 +17,7 @@ namespace {
 
 using render::Ink;
 
-constexpr const char* kStations[] = {"φ(X): positions", "F = dφ/dX", "P = dΨ/dF", "div P: forces"};
+constexpr const char* station_titles[] = {"φ(X): positions", "F = dφ/dX", "P = dΨ/dF", "div P: forces"};
 
 class PipelineOfForces : public Exhibit {
  public:
@@ -38,7 +38,7 @@ class PipelineOfForces : public Exhibit {
     render::Block stations{"", {}};
     for (int k = 0; k < 4; ++k)
       stations.items.push_back(render::Line{
-          std::string(k == station ? "→ " : "   ") + kStations[k], {}, k == station ? Ink::blue : Ink::black});
+          std::string(k == station ? "→ " : "   ") + station_titles[k], {}, k == station ? Ink::blue : Ink::black});
     const Scaled pascal = scaled(view.P.cwiseAbs().maxCoeff(), "Pa");
     render::Block numbers{"element " + std::to_string(element_), {}};
     numbers.items.push_back(matrix("F", "F", "%.4f", view.F));

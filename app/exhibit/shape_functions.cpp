@@ -18,7 +18,7 @@ namespace {
 
 using render::Ink;
 
-constexpr int kFine = 8;  // pieces of an element's edge
+constexpr int fine = 8;  // pieces of an element's edge
 
 class ShapeFunctions : public Exhibit {
  public:
@@ -63,7 +63,7 @@ class ShapeFunctions : public Exhibit {
           {0, lifted(body_.mesh().X.col(i), heights[i]), "values", [heights, i, foot](const render::Spot& to) {
              std::string text;
              for (Eigen::Index k = 0; k < heights.size(); ++k)
-               text += (k == 0 ? "[" : ", ") + number_literal(k == i ? (to[1] - foot[1]) / kRise : heights[k]);
+               text += (k == 0 ? "[" : ", ") + number_literal(k == i ? (to[1] - foot[1]) / rise : heights[k]);
              return text + "]";
            }});
     }
@@ -72,9 +72,9 @@ class ShapeFunctions : public Exhibit {
 
  private:
   // A spot of the mesh and a height, seen obliquely from the front.
-  static constexpr double kLean = 0.45, kDepth = 0.55, kRise = 0.8;
+  static constexpr double lean = 0.45, depth = 0.55, rise = 0.8;
   static render::Spot lifted(const Eigen::Vector2d& X, double height) {
-    return {X.x() + kLean * X.y(), kDepth * X.y() + kRise * height};
+    return {X.x() + lean * X.y(), depth * X.y() + rise * height};
   }
 
   static std::string subscript(int number) {
@@ -139,7 +139,7 @@ class ShapeFunctions : public Exhibit {
 
   // The surface over one element, in small facets; blue where it is high, red where it is below zero.
   static void add_hill(const sim::Mesh& mesh, int e, const Eigen::VectorXd& heights, render::Diagram& d) {
-    for (const std::vector<sim::PointOfElement>& facet : sim::facets_of_element(mesh, e, kFine)) {
+    for (const std::vector<sim::PointOfElement>& facet : sim::facets_of_element(mesh, e, fine)) {
       render::Patch patch;
       double mean = 0;
       for (const sim::PointOfElement& corner : facet) {

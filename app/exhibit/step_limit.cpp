@@ -16,7 +16,7 @@ namespace {
 
 using render::Ink;
 
-constexpr int kSteps = 110;
+constexpr int shown_steps = 110;
 
 class StepLimit : public Exhibit {
  public:
@@ -29,9 +29,10 @@ class StepLimit : public Exhibit {
     runs_ = {{"0.99", 0.99, Ink::black, false, {}},
              {"1.01", 1.01, Ink::red, false, {}},
              {"1.05", 1.05, Ink::purple, false, {}}};
-    for (Run& run : runs_) run.reach = sim::growth(body_.alone(), "central-difference", run.ratio * 2 / omega_, kSteps);
+    for (Run& run : runs_)
+      run.reach = sim::growth(body_.alone(), "central-difference", run.ratio * 2 / omega_, shown_steps);
     runs_.push_back(
-        {"implicit at 3", 3, Ink::blue, true, sim::growth(body_.alone(), "backward-euler", 6 / omega_, kSteps)});
+        {"implicit at 3", 3, Ink::blue, true, sim::growth(body_.alone(), "backward-euler", 6 / omega_, shown_steps)});
     sim::Scene implicit = body_.alone();
     implicit.time.integrator = "backward-euler";
     implicit.solver.linear = sim::LinearSolverKind::cholmod;
@@ -43,7 +44,7 @@ class StepLimit : public Exhibit {
   }
 
   void show(const sim::State& state, render::Sheet& sheet) const override {
-    const int step = std::min(kSteps, static_cast<int>(std::floor(body_.time(state) / pace_ + 1e-9)));
+    const int step = std::min(shown_steps, static_cast<int>(std::floor(body_.time(state) / pace_ + 1e-9)));
     sheet.bodies = false;
     sheet.column = 0.62;
     sheet.diagrams.push_back(curves(step));
@@ -91,7 +92,7 @@ class StepLimit : public Exhibit {
 
   render::Diagram curves(int step) const {
     render::Diagram d{.place = {0.01, 0.11, 0.61, 0.58}, .title = "largest displacement over steps, m", .axes = true};
-    d.x = {0, kSteps};
+    d.x = {0, shown_steps};
     d.y = {-15, 3};
     d.logarithmic = true;
     for (const Run& run : runs_) {
@@ -99,7 +100,7 @@ class StepLimit : public Exhibit {
       for (std::size_t k = 1; k < run.reach.size() && k <= static_cast<std::size_t>(step); ++k)
         stroke.points.push_back({double(k), std::log10(std::max(run.reach[k], 1e-20))});
       if (stroke.points.size() < 2) continue;
-      const render::Spot end = {std::min(stroke.points.back()[0], kSteps - 6.0),
+      const render::Spot end = {std::min(stroke.points.back()[0], shown_steps - 6.0),
                                 std::min(0.0, stroke.points.back()[1])};
       d.words.push_back({end, run.name, run.ink, run.implicit ? render::Side::below : render::Side::above});
       d.strokes.push_back(stroke);

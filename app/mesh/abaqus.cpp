@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr int kPointType = 15, kTet10Type = 11;  // Gmsh's numbers
+constexpr int point_type = 15, tet10_type = 11;  // Gmsh's numbers
 
 struct AbaqusElement {
   const MshType* type;
@@ -121,7 +121,7 @@ class AbaqusReader {
   void put(const AbaqusElement& element) {
     std::vector<std::int64_t> nodes = element.nodes;
     // Gmsh numbers the middles of the last two edges of a tet the other way round.
-    if (element.type->number == kTet10Type) std::swap(nodes[8], nodes[9]);
+    if (element.type->number == tet10_type) std::swap(nodes[8], nodes[9]);
     in_.go_to(element.place);
     in_.word("a node of an element");  // errors point at it
     add_element(in_, *element.type, element.groups, nodes, contents_);
@@ -132,7 +132,7 @@ class AbaqusReader {
     const int tag = contents_.tag_of(0, set.name);
     for (const AbaqusEntry& entry : set.entries) {
       for (const std::size_t i : members(in_, node_sets_, entry, node_numbers_))
-        add_element(in_, *find_msh_type(kPointType), {tag}, {tags_[i]}, contents_);
+        add_element(in_, *find_msh_type(point_type), {tag}, {tags_[i]}, contents_);
     }
   }
 

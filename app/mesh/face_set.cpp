@@ -11,7 +11,7 @@ namespace app {
 namespace {
 
 // Ears are searched among all corners for each: more corners than any polygon of use take too long.
-constexpr std::size_t kMostCorners = 5000;
+constexpr std::size_t most_corners = 5000;
 
 }  // namespace
 
@@ -30,8 +30,8 @@ void FaceSet::add(const Cursor& in, const std::vector<int>& corners) {
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) in.fail("vertex " + std::to_string(*twice + first_) + " stands twice in one face");
   if (corners.size() < 3) in.fail("a face has " + std::to_string(corners.size()) + " corners; it needs three or more");
-  if (corners.size() > kMostCorners) {
-    in.fail("a face has " + std::to_string(corners.size()) + " corners; at most " + std::to_string(kMostCorners) +
+  if (corners.size() > most_corners) {
+    in.fail("a face has " + std::to_string(corners.size()) + " corners; at most " + std::to_string(most_corners) +
             " are read");
   }
   if (corners.size() == 3) {

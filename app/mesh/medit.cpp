@@ -22,7 +22,7 @@ constexpr std::array<MeditSection, 8> medit_sections = {{{"Edges", 1},
                                                          {"Hexahedra", 5},
                                                          {"TrianglesP2", 9},
                                                          {"TetrahedraP2", 11}}};
-constexpr int kMeditP2Tet = 11;
+constexpr int medit_p2_tet = 11;
 
 class MeditReader {
  public:
@@ -100,7 +100,7 @@ class MeditReader {
     std::vector<std::int64_t> nodes(static_cast<std::size_t>(type.nodes));
     for (int i = 0; i < count; ++i) {
       for (std::int64_t& node : nodes) node = in_.whole("a node of an element");
-      if (type.number == kMeditP2Tet) std::swap(nodes[8], nodes[9]);
+      if (type.number == medit_p2_tet) std::swap(nodes[8], nodes[9]);
       const std::vector<int> physical = group(type.dimension, in_.whole("a reference"));
       add_element(in_, type, physical, nodes, contents_);
     }

@@ -65,19 +65,19 @@ int read_text_stl(Cursor& in, FaceSet& faces) {
   return collapsed;
 }
 
-constexpr std::size_t kStlHeader = 80, kStlTriangle = 50;  // bytes
+constexpr std::size_t stl_header = 80, stl_triangle = 50;  // bytes
 
 // 80 bytes of any kind, the number of triangles, then 12 floats and two bytes of each, in the order of Intel.
 int read_binary_stl(Cursor& in, FaceSet& faces) {
   constexpr bool swapped = std::endian::native != std::endian::little;
   in.use_offsets();
-  in.bytes(kStlHeader, "the header");
+  in.bytes(stl_header, "the header");
   const auto said = from_bytes<std::uint32_t>(in.bytes(4, "the number of triangles"), swapped);
-  const int count = in.checked_count(said, kStlTriangle, "the number of triangles");
+  const int count = in.checked_count(said, stl_triangle, "the number of triangles");
   StlCorners corners(faces);
   int collapsed = 0;
   for (int t = 0; t < count; ++t) {
-    const std::string_view bytes = in.bytes(kStlTriangle, "a triangle");
+    const std::string_view bytes = in.bytes(stl_triangle, "a triangle");
     std::array<Eigen::Vector3d, 3> X;
     for (std::size_t i = 0; i < 9; ++i) {
       const double x = from_bytes<float>(bytes.substr(4 * (3 + i)), swapped);
@@ -95,7 +95,7 @@ bool is_binary_stl(std::string_view content) {
       content.find('\0') == content.npos) {
     return false;
   }
-  return content.size() >= kStlHeader + 4;
+  return content.size() >= stl_header + 4;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr int kTriangle = 2, kTet = 4, kMarkedPoint = 15;  // Gmsh's numbers
+constexpr int triangle = 2, tet = 4, marked_point = 15;  // Gmsh's numbers
 
 // Points and elements are numbered without gaps from the number of the first.
 void expect_number(Cursor& in, int index, std::int64_t& first, std::string_view what) {
@@ -50,7 +50,7 @@ class TetgenReader {
     number_nodes_from(in, first_, contents_);
     for (int i = 0; i < count; ++i) {
       const std::vector<int> groups = marker_group(0, markers[static_cast<std::size_t>(i)]);
-      if (!groups.empty()) add_element(in, *find_msh_type(kMarkedPoint), groups, {first_ + i}, contents_);
+      if (!groups.empty()) add_element(in, *find_msh_type(marked_point), groups, {first_ + i}, contents_);
     }
   }
 
@@ -70,7 +70,7 @@ class TetgenReader {
       const std::vector<std::int64_t> tags = read_nodes(in, corners, "an element");
       std::vector<int> groups;
       if (!in.line_finished()) groups.push_back(contents_.tag_of(dimension_, std::string(in.word("an attribute"))));
-      add_element(in, *find_msh_type(dimension_ == 2 ? kTriangle : kTet), groups, tags, contents_);
+      add_element(in, *find_msh_type(dimension_ == 2 ? triangle : tet), groups, tags, contents_);
       in.rest_of_line();
     }
   }
@@ -84,7 +84,7 @@ class TetgenReader {
       const std::vector<std::int64_t> tags = read_nodes(in, 3, "a face");
       if (in.line_finished()) continue;
       const std::vector<int> groups = marker_group(2, in.word("a marker"));
-      if (!groups.empty()) add_element(in, *find_msh_type(kTriangle), groups, tags, contents_);
+      if (!groups.empty()) add_element(in, *find_msh_type(triangle), groups, tags, contents_);
       in.rest_of_line();
     }
   }

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr int kVegaTet = 4, kVegaCube = 5;  // Gmsh's numbers
+constexpr int vega_tet = 4, vega_cube = 5;  // Gmsh's numbers
 
 // Sections start with *NAME. Vertices come before elements, sets of elements after them.
 class VegaReader {
@@ -67,7 +67,7 @@ class VegaReader {
     if (kind != "TET" && kind != "TETS" && kind != "CUBIC") {
       in_.fail("the elements are " + quote(kind) + "; they should be TET or CUBIC");
     }
-    type_ = find_msh_type(kind == "CUBIC" ? kVegaCube : kVegaTet);
+    type_ = find_msh_type(kind == "CUBIC" ? vega_cube : vega_tet);
     const auto nodes = static_cast<std::size_t>(type_->nodes);
     const int count = in_.checked_count(in_.whole("the number of elements"), 2 + 2 * nodes, "the number of elements");
     in_.integer("the number of nodes per element", type_->nodes, type_->nodes);

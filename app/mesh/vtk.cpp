@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr bool kFromBigEndian = std::endian::native != std::endian::big;  // legacy files are big-endian
+constexpr bool from_big_endian = std::endian::native != std::endian::big;  // legacy files are big-endian
 
 class VtkReader {
  public:
@@ -74,7 +74,7 @@ class VtkReader {
   template <class T>
   std::vector<T> numbers(const VtkType& type, std::int64_t count) {
     if (binary_) in_.rest_of_line();
-    return read_vtk_numbers<T>(in_, type, binary_, kFromBigEndian, count);
+    return read_vtk_numbers<T>(in_, type, binary_, from_big_endian, count);
   }
 
   // Up to version 4: count and numbers in all; then number of nodes and nodes of each cell. From 5 on: count + 1 starts

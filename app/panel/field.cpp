@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kFormat = "%.6g";
+constexpr const char* format = "%.6g";
 
 // A slider shows where in its range a value is; wide ranges are dragged.
 bool slides(const Range& range) {
@@ -24,12 +24,12 @@ void draw_number(const Range& range, double& x) {
   if (slides(range)) {
     const double margin = 1e-3 * (range.high - range.low);
     const double low = range.low + (range.low_open ? margin : 0), high = range.high - (range.high_open ? margin : 0);
-    ImGui::SliderScalar("##value", ImGuiDataType_Double, &x, &low, &high, kFormat);
+    ImGui::SliderScalar("##value", ImGuiDataType_Double, &x, &low, &high, format);
     return;
   }
   // A hundredth of the value for each pixel.
   const float speed = static_cast<float>(std::max(std::abs(x), 1e-3) * 0.01);
-  ImGui::DragScalar("##value", ImGuiDataType_Double, &x, speed, nullptr, nullptr, kFormat);
+  ImGui::DragScalar("##value", ImGuiDataType_Double, &x, speed, nullptr, nullptr, format);
 }
 
 void draw_integer(const Key& key, std::int64_t& n) {
@@ -45,7 +45,7 @@ void draw_integer(const Key& key, std::int64_t& n) {
 
 void draw_numbers(const Key& key, std::vector<double>& list, int dimension) {
   const auto row = [](const char* label, double* first, int count) {
-    ImGui::InputScalarN(label, ImGuiDataType_Double, first, count, nullptr, nullptr, kFormat);
+    ImGui::InputScalarN(label, ImGuiDataType_Double, first, count, nullptr, nullptr, format);
   };
   // The first `shown` of every `stride` numbers on a line of their own; of long lists as many as a panel has room for.
   const auto rows = [&](std::vector<double>& all, int stride, int shown) {

@@ -12,8 +12,8 @@
 namespace app {
 namespace {
 
-const ImVec4 kSoft = {0.36F, 0.39F, 0.43F, 1};
-const ImVec4 kWarning = {0.70F, 0.20F, 0.05F, 1};
+const ImVec4 soft = {0.36F, 0.39F, 0.43F, 1};
+const ImVec4 warning = {0.70F, 0.20F, 0.05F, 1};
 
 const char* effect_text(Effect effect) {
   switch (effect) {
@@ -37,9 +37,9 @@ void explain(const Key& key, const std::string& path) {
   std::string facts = kind_text(key);
   if (!key.unit.empty()) facts.append(", ").append(key.unit);
   if (const std::string range = key.range.text(); !range.empty()) facts += ", " + range;
-  ImGui::TextColored(kSoft, "%s", facts.c_str());
-  ImGui::TextColored(kSoft, "default: %s", default_text(key, blank_document()).c_str());
-  ImGui::TextColored(kSoft, "%s", effect_text(*key.effect));
+  ImGui::TextColored(soft, "%s", facts.c_str());
+  ImGui::TextColored(soft, "default: %s", default_text(key, blank_document()).c_str());
+  ImGui::TextColored(soft, "%s", effect_text(*key.effect));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -56,7 +56,7 @@ void draw_terms(const sim::System& system) {
   for (const sim::TermInfo& term : system.terms()) {
     ImGui::TextWrapped("%s", term.name.c_str());
     ImGui::Indent();
-    ImGui::PushStyleColor(ImGuiCol_Text, kSoft);
+    ImGui::PushStyleColor(ImGuiCol_Text, soft);
     ImGui::TextWrapped("%s", term.what.c_str());
     ImGui::PopStyleColor();
     ImGui::Unindent();
@@ -107,14 +107,14 @@ void Panel::draw_head(const PanelState& state, PanelRequests& requests) const {
   ImGui::Text("t = %.4g s, step %lld", state.t, static_cast<long long>(state.step));
   if (state.clock && state.playing && state.factor < 0.95) {
     ImGui::SameLine();
-    ImGui::TextColored(kWarning, "%.2g of real time", state.factor);
+    ImGui::TextColored(warning, "%.2g of real time", state.factor);
   }
   if (!state.waiting.empty()) {
     if (ImGui::Button("Restart with changes")) requests.actions.push_back(Action::restart);
-    for (const Override& each : state.waiting) ImGui::TextColored(kWarning, "%s", each.origin.c_str());
+    for (const Override& each : state.waiting) ImGui::TextColored(warning, "%s", each.origin.c_str());
   }
   if (state.message.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+  ImGui::PushStyleColor(ImGuiCol_Text, warning);
   ImGui::TextWrapped("%s", state.message.c_str());
   ImGui::PopStyleColor();
 }
@@ -145,7 +145,7 @@ void Panel::draw_entry(const Entry& entry, const PanelState& state, PanelRequest
   const bool waits = std::ranges::find(state.waiting, entry.path, &Override::key) != state.waiting.end();
   std::string label = entry.name;
   if (!key.unit.empty()) label.append(" [").append(key.unit).append("]");
-  ImGui::TextColored(waits ? kWarning : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
+  ImGui::TextColored(waits ? warning : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s", label.c_str());
   explain(key, entry.path);
   ImGui::SameLine(0.5F * ImGui::GetWindowWidth());
   const std::optional<std::string> changed =

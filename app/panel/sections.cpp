@@ -10,10 +10,10 @@ namespace app {
 namespace {
 
 // Groups that are open at first, and come first.
-constexpr std::array<std::string_view, 3> kFirst = {"material", "damping", ""};
+constexpr std::array<std::string_view, 3> first_sections = {"material", "damping", ""};
 
 bool comes_first(std::string_view group) {
-  return std::ranges::find(kFirst, group) != kFirst.end();
+  return std::ranges::find(first_sections, group) != first_sections.end();
 }
 
 // The first name of a path, with its number: "body.0" of "body.0.material.young".
@@ -69,8 +69,9 @@ std::vector<Section> sections(const Document& document) {
     });
   }
   for (Section& section : all) {
-    std::ranges::stable_sort(section.groups, {},
-                             [](const Group& group) { return std::ranges::find(kFirst, group.name) - kFirst.begin(); });
+    std::ranges::stable_sort(section.groups, {}, [](const Group& group) {
+      return std::ranges::find(first_sections, group.name) - first_sections.begin();
+    });
   }
   return all;
 }

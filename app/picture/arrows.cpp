@@ -13,11 +13,11 @@
 namespace app {
 namespace {
 
-constexpr render::Colour kApplied{0.08F, 0.32F, 0.66F};
-constexpr render::Colour kHeld{0.80F, 0.22F, 0.10F};
-constexpr render::Colour kVelocity{0.06F, 0.46F, 0.36F};
-constexpr double kPlaces = 7;  // along the longest side of the scene
-constexpr double kGravity = 9.81;
+constexpr render::Colour applied_colour{0.08F, 0.32F, 0.66F};
+constexpr render::Colour held_colour{0.80F, 0.22F, 0.10F};
+constexpr render::Colour velocity_colour{0.06F, 0.46F, 0.36F};
+constexpr double places_along = 7;  // along the longest side of the scene
+constexpr double standard_gravity = 9.81;
 
 std::set<int> all_nodes(const sim::Mesh& mesh) {
   return {mesh.elements.data(), mesh.elements.data() + mesh.elements.size()};
@@ -87,10 +87,10 @@ Arrows::Arrows(const sim::System& system, const Document& document) : system_(sy
   if (!look_.forces && !look_.velocities) return;
   const double size = rest_box(system.bodies()).sizes().maxCoeff();
   for (const sim::BodyRange& body : system.bodies()) {
-    places_.push_back(places_of(body, all_nodes(*body.mesh), size / kPlaces));
-    on_surface_.push_back(places_of(body, surface_nodes(*body.mesh), size / kPlaces));
+    places_.push_back(places_of(body, all_nodes(*body.mesh), size / places_along));
+    on_surface_.push_back(places_of(body, surface_nodes(*body.mesh), size / places_along));
   }
-  velocity_scale_ = look_.velocity_scale.value_or(0.3 * std::sqrt(size / kGravity));
+  velocity_scale_ = look_.velocity_scale.value_or(0.3 * std::sqrt(size / standard_gravity));
   if (!look_.forces) return;
   const double total = look_.force_scale ? 1 : total_force(system, document);
   force_scale_ = look_.force_scale.value_or(total > 0 ? 0.5 * size / total : 0);
@@ -106,8 +106,8 @@ Vec3 Arrows::at(const Eigen::VectorXd& x, int node) const {
 void Arrows::add(const sim::State& state, std::vector<render::Arrow>& arrows) const {
   if (look_.forces) {
     const sim::Loads loads = sim::loads(system_, state);
-    add_forces(state, loads.applied, kApplied, arrows);
-    add_forces(state, loads.held, kHeld, arrows);
+    add_forces(state, loads.applied, applied_colour, arrows);
+    add_forces(state, loads.held, held_colour, arrows);
   }
   if (look_.velocities) add_velocities(state, arrows);
 }
@@ -150,7 +150,8 @@ void Arrows::add_velocities(const sim::State& state, std::vector<render::Arrow>&
         velocity += at(state.v, node);
       }
       const double count = static_cast<double>(place.size());
-      arrows.push_back({to_point(point / count), to_point((point + velocity_scale_ * velocity) / count), kVelocity});
+      arrows.push_back(
+          {to_point(point / count), to_point((point + velocity_scale_ * velocity) / count), velocity_colour});
     }
   }
 }

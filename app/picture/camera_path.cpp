@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr double kSwing = 1.1;  // how far a body may leave the first box, as a share of it, before the camera moves
+constexpr double swing = 1.1;  // how far a body may leave the first box, as a share of it, before the camera moves
 
 Vec3 to_vector(const render::Point& p) {
   return {p[0], p[1], p[2]};
@@ -105,8 +105,8 @@ render::Camera CameraPath::at(const sim::State& state) const {
   if (followed_ == nullptr) {
     const Eigen::AlignedBox3d now = box_of(state.x, system_.dimension());
     const Vec3 middle = first_.center();
-    box.extend(Vec3(middle + (now.min() - middle) / kSwing));
-    box.extend(Vec3(middle + (now.max() - middle) / kSwing));
+    box.extend(Vec3(middle + (now.min() - middle) / swing));
+    box.extend(Vec3(middle + (now.max() - middle) / swing));
   }
   render::Camera view = view_of(camera_, box, system_.dimension(), aspect_);
   const double t = system_.time(state.step);

@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 // Warm red first, then colours that stay apart for colour-blind eyes (after Okabe and Ito).
-constexpr std::array<render::Colour, 6> kBodyColours = {{{0.80F, 0.33F, 0.25F},
+constexpr std::array<render::Colour, 6> body_colours = {{{0.80F, 0.33F, 0.25F},
                                                          {0.24F, 0.53F, 0.76F},
                                                          {0.90F, 0.65F, 0.16F},
                                                          {0.16F, 0.62F, 0.49F},
@@ -32,7 +32,7 @@ render::Surface still_surface(const sim::BodyRange& body, const Surface& surface
   still.rest = surface.points(body.mesh->X);
   still.crease = 60;  // of coarse meshes as well: what is meant as an edge is sharper
   still.flat = body.mesh->dimension() == 2;
-  still.colour = kBodyColours[number % kBodyColours.size()];
+  still.colour = body_colours[number % body_colours.size()];
   return still;
 }
 

@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-constexpr double kMargin = 1.25;  // seen over needed
+constexpr double margin = 1.25;  // seen over needed
 
 std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box) {
   std::array<Vec3, 8> points;
@@ -33,7 +33,7 @@ double fitting_distance(const Eigen::AlignedBox3d& box, const Vec3& target, cons
   for (const Vec3& corner : corners(box)) {
     const Vec3 p = corner - target;
     const double needed = std::max(std::abs(p.dot(right)) / tan_width, std::abs(p.dot(upright)) / tan_height);
-    distance = std::max(distance, p.dot(direction) + kMargin * needed);
+    distance = std::max(distance, p.dot(direction) + margin * needed);
   }
   return distance > 0 ? distance : 1.0;
 }
@@ -41,7 +41,7 @@ double fitting_distance(const Eigen::AlignedBox3d& box, const Vec3& target, cons
 render::Camera plane_view(const Camera& camera, const Vec3& target, const Eigen::AlignedBox3d& box, double aspect) {
   render::Camera view;
   const Vec3 half = (box.max() - target).cwiseMax(target - box.min());
-  const double needed = 2 * kMargin * std::max(half.y(), half.x() / aspect);
+  const double needed = 2 * margin * std::max(half.y(), half.x() / aspect);
   const double height = camera.height.value_or(needed > 0 ? needed : 1.0);
   view.orthographic = true;
   view.height = static_cast<float>(height);

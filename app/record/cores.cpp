@@ -11,9 +11,9 @@ namespace app {
 namespace {
 
 // Seconds of one thread, estimated from recordings of the bear (run.json tells them): only their ratio matters.
-constexpr double kImplicitStep = 7e-6;  // for a free degree of freedom
-constexpr double kExplicitStep = 2e-7;
-constexpr double kPixel = 5e-8;  // drawn and written
+constexpr double implicit_step = 7e-6;  // for a free degree of freedom
+constexpr double explicit_step = 2e-7;
+constexpr double pixel = 5e-8;  // drawn and written
 
 }  // namespace
 
@@ -23,8 +23,8 @@ Cores share_cores(const Simulation& simulation, const Options& options) {
   // Between two drawn frames.
   const double frames = options.still ? static_cast<double>(simulation.last_frame()) : options.every;
   const double steps =
-      (is_explicit ? kExplicitStep : kImplicitStep) * system.counts().free_dofs * system.steps_per_frame() * frames;
-  const double picture = kPixel * options.width * options.height;
+      (is_explicit ? explicit_step : implicit_step) * system.counts().free_dofs * system.steps_per_frame() * frames;
+  const double picture = pixel * options.width * options.height;
   const int stepping = static_cast<int>(std::lround(options.threads * steps / (steps + picture)));
   return {std::max(stepping, 1), options.threads - stepping};
 }

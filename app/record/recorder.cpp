@@ -144,9 +144,9 @@ int judged(int code, const Recorder& recorder, const RunFolder& folder, const Op
     }
   }
   const std::optional<Expectation>& expectation = recorder.expectation();
-  if (code != kDone || !expectation) return code;
+  if (code != exit_done || !expectation) return code;
   if (!options.quiet || !expectation->fulfilled()) std::cerr << expectation->summary() << '\n';
-  return expectation->fulfilled() ? kDone : kFramesDiffer;
+  return expectation->fulfilled() ? exit_done : exit_frames_differ;
 }
 
 }  // namespace app

@@ -146,7 +146,7 @@ int replay(const Options& options) {
   compare(file, outcome);
   if (outcome.status == Status::interrupted) {
     std::cerr << "ritz: interrupted after step " << session.steps() << " of " << file.steps << '\n';
-    return kInterrupted;
+    return exit_interrupted;
   }
   return judged(conclude(last, used, folder, outcome), recorder, folder, used);
 }

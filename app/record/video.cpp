@@ -22,13 +22,13 @@ std::string rate(int fps, int every) {
 }
 
 // H.264 in a form that every player shows: 4:2:0 wants even sizes, so one row or column is repeated where needed.
-const std::vector<std::string> kMp4 = {
+const std::vector<std::string> mp4_arguments = {
     "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-movflags",
     "+faststart"};
 
 // Each picture has 256 colours of its own: a palette for all of them would need all of them in memory. Players show at
 // most 50 a second; round=up keeps the first one of a video that is shorter than that.
-const std::vector<std::string> kGif = {
+const std::vector<std::string> gif_arguments = {
     "-filter_complex",
     "fps='min(50,source_fps)':round=up,split[a][b];[a]palettegen=stats_mode=single[p];[b][p]"
     "paletteuse=new=1:dither=bayer:bayer_scale=4"};
@@ -38,7 +38,7 @@ bool is_gif(const std::filesystem::path& file) {
 }
 
 const std::vector<std::string>& encoding(const std::filesystem::path& file) {
-  return is_gif(file) ? kGif : kMp4;
+  return is_gif(file) ? gif_arguments : mp4_arguments;
 }
 
 std::vector<std::string> arguments(const std::string& file, const VideoFormat& format) {

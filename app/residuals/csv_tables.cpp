@@ -8,7 +8,7 @@ namespace {
 
 using sim::residual::Real;
 
-constexpr int kMostMonomials = 12;  // above, none of their digits would be right
+constexpr int most_monomials = 12;  // above, none of their digits would be right
 
 // A comma and the number, or the comma alone.
 void append_field(std::string& text, const std::optional<Real>& number) {
@@ -63,7 +63,7 @@ std::string coefficients_csv(std::span<const ResidualStudy> studies) {
         continue;
       }
       append_coefficients(text, basis + ":integrated-legendre" + rest, c);
-      if (c.size() <= kMostMonomials)
+      if (c.size() <= most_monomials)
         append_coefficients(text, basis + ":x^i(1-x)" + rest, sim::residual::to_monomials(c));
     }
   }

@@ -23,7 +23,7 @@ struct Call {
   std::string_view name;
   Unary apply;
 };
-constexpr Call kCalls[] = {
+constexpr Call calls[] = {
     {"sin", sim::residual::sin},   {"cos", sim::residual::cos}, {"tan", sim::residual::tan},
     {"exp", sim::residual::exp},   {"ln", sim::residual::log},  {"log10", sim::residual::log10},
     {"sqrt", sim::residual::sqrt}, {"abs", sim::residual::abs},
@@ -33,7 +33,7 @@ struct Constant {
   std::string_view name;
   Real value;
 };
-constexpr Constant kConstants[] = {{"pi", std::numbers::pi_v<Real>}, {"e", std::numbers::e_v<Real>}};
+constexpr Constant constants[] = {{"pi", std::numbers::pi_v<Real>}, {"e", std::numbers::e_v<Real>}};
 
 // A step of the evaluation, on a stack: pushes a constant or x, or replaces the top one or two.
 struct Step {
@@ -81,7 +81,7 @@ class Parser {
   }
 
  private:
-  static constexpr int kDeepest = 200;  // parentheses, signs and powers inside each other
+  static constexpr int deepest_allowed = 200;  // parentheses, signs and powers inside each other
 
   [[noreturn]] void fail(const std::string& what) const { throw ExpressionError(at_, what); }
 
@@ -98,7 +98,7 @@ class Parser {
   std::string rest() const { return std::string(text_.substr(at_, 12)); }
 
   void enter() {
-    if (++depth_ > kDeepest) fail("nested more than " + std::to_string(kDeepest) + " times");
+    if (++depth_ > deepest_allowed) fail("nested more than " + std::to_string(deepest_allowed) + " times");
   }
 
   void sum() {
@@ -186,11 +186,11 @@ class Parser {
     if (word == "x") {
       at_ = end;
       steps_.push_back({.is_x = true});
-    } else if (const auto* constant = std::ranges::find(kConstants, word, &Constant::name);
-               constant != std::end(kConstants)) {
+    } else if (const auto* constant = std::ranges::find(constants, word, &Constant::name);
+               constant != std::end(constants)) {
       at_ = end;
       steps_.push_back({.constant = {constant->value, 0}});
-    } else if (const auto* call = std::ranges::find(kCalls, word, &Call::name); call != std::end(kCalls)) {
+    } else if (const auto* call = std::ranges::find(calls, word, &Call::name); call != std::end(calls)) {
       at_ = end;
       if (!take('('))
         fail("'" + std::string(word) + "' needs its argument in parentheses: " + std::string(word) + "(x)");
@@ -204,8 +204,8 @@ class Parser {
 
   [[noreturn]] void refuse_name(std::string_view word) const {
     std::vector<std::string_view> known = {"x"};
-    for (const Constant& constant : kConstants) known.push_back(constant.name);
-    for (const Call& call : kCalls) known.push_back(call.name);
+    for (const Constant& constant : constants) known.push_back(constant.name);
+    for (const Call& call : calls) known.push_back(call.name);
     std::string message = "unknown name '" + std::string(word) + "': ";
     if (const std::string_view meant = nearest(word, known); !meant.empty()) {
       fail(message + "did you mean '" + std::string(meant) + "'?");

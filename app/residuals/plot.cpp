@@ -14,9 +14,9 @@ namespace {
 using sim::residual::Errors;
 using sim::residual::Real;
 
-constexpr int kShownTerms = 4;      // the largest n up to it is drawn: curves can still be told apart
-constexpr int kPlotCells = 400;     // of a curve
-constexpr Real kRoundOff = 1e-16L;  // errors below it are not drawn
+constexpr int most_shown_terms = 4;  // the largest n up to it is drawn: curves can still be told apart
+constexpr int plot_cells = 400;      // of a curve
+constexpr Real round_off = 1e-16L;   // errors below it are not drawn
 
 // A line of a panel; "" has no title.
 struct Curve {
@@ -47,15 +47,15 @@ bool is_ritz(const std::string& method) {
 int shown_terms(const ResidualStudy& study) {
   int shown = study.file.n.front();
   for (const int n : study.file.n)
-    if (n <= kShownTerms) shown = n;
+    if (n <= most_shown_terms) shown = n;
   return shown;
 }
 
 template <class F>
 Curve curve_of(const std::string& title, const std::string& style, const F& y) {
   Curve curve{title, style, {}};
-  for (int i = 0; i <= kPlotCells; ++i) {
-    const Real x = Real(i) / kPlotCells;
+  for (int i = 0; i <= plot_cells; ++i) {
+    const Real x = Real(i) / plot_cells;
     curve.points.emplace_back(x, y(x));
   }
   return curve;
@@ -92,7 +92,7 @@ PlotPanel convergence_panel(const ResidualStudy& study, const std::string& title
     const int dash = dashes.emplace(attempt.basis(), static_cast<int>(dashes.size()) + 1).first->second;
     const std::string name = std::string(attempt.basis()) + " " + attempt.method;
     const auto value = error(attempt.errors);
-    if (!value || !(*value > kRoundOff)) continue;
+    if (!value || !(*value > round_off)) continue;
     if (panel.curves.empty() || !panel.curves.back().title.starts_with(name + ":"))
       panel.curves.push_back({name + ":",
                               std::string("linespoints ") +

@@ -23,13 +23,13 @@ struct FunctionKey {
   std::string_view name, fallback;  // no fallback: it may be absent, or f, it must be there
   Function Problem::*function;
 };
-constexpr FunctionKey kFunctions[] = {{"k", "1", &Problem::k},
-                                      {"a", "0", &Problem::a},
-                                      {"q", "0", &Problem::q},
-                                      {"f", "", &Problem::f},
-                                      {"exact", "", &Problem::exact}};
-constexpr std::string_view kLists[] = {"bases", "methods", "n"};
-constexpr int kFirstTerms[] = {1, 2, 4, 8, 16, 32};
+constexpr FunctionKey function_keys[] = {{"k", "1", &Problem::k},
+                                         {"a", "0", &Problem::a},
+                                         {"q", "0", &Problem::q},
+                                         {"f", "", &Problem::f},
+                                         {"exact", "", &Problem::exact}};
+constexpr std::string_view lists[] = {"bases", "methods", "n"};
+constexpr int first_terms[] = {1, 2, 4, 8, 16, 32};
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw std::runtime_error(where + ": " + what);
@@ -43,7 +43,7 @@ class Reader {
 
   ProblemFile read() {
     check_names();
-    for (const FunctionKey& key : kFunctions) read_function(key);
+    for (const FunctionKey& key : function_keys) read_function(key);
     if (!file_.problem.f) refuse(path_, "f is missing: the right-hand side, as in f = \"1\"");
     file_.bases = read_names("bases", sim::residual::bases(), "a basis");
     file_.methods = read_names("methods", sim::residual::methods(), "a method");
@@ -56,8 +56,8 @@ class Reader {
   std::string line(const toml::source_region& source) const { return path_ + ":" + std::to_string(source.begin.line); }
 
   void check_names() const {
-    std::vector<std::string_view> known(std::begin(kLists), std::end(kLists));
-    for (const FunctionKey& key : kFunctions) known.push_back(key.name);
+    std::vector<std::string_view> known(std::begin(lists), std::end(lists));
+    for (const FunctionKey& key : function_keys) known.push_back(key.name);
     for (const auto& [name, node] : table_) {
       if (std::ranges::find(known, name.str()) != known.end()) continue;
       std::string message = "unknown key '" + std::string(name.str()) + "': ";
@@ -124,10 +124,10 @@ class Reader {
 
   void read_terms() {
     const toml::node* const node = table_.get("n");
-    file_.n.assign(std::begin(kFirstTerms), std::end(kFirstTerms));
+    file_.n.assign(std::begin(first_terms), std::end(first_terms));
     if (!node) return;
     const std::string right =
-        "n must be a list of integers from 1 to " + std::to_string(kMostTerms) + ", as in [1, 2, 4]";
+        "n must be a list of integers from 1 to " + std::to_string(most_terms) + ", as in [1, 2, 4]";
     const toml::array* const list = node->as_array();
     if (!list || list->empty()) refuse(line(node->source()), right);
     file_.n.clear();
@@ -135,7 +135,7 @@ class Reader {
       const auto terms = entry.value_exact<std::int64_t>();
       std::ostringstream given;
       entry.visit([&](const auto& value) { given << value; });
-      if (!terms || *terms < 1 || *terms > kMostTerms) refuse(line(entry.source()), right + "; not " + given.str());
+      if (!terms || *terms < 1 || *terms > most_terms) refuse(line(entry.source()), right + "; not " + given.str());
       file_.n.push_back(static_cast<int>(*terms));
     }
     std::ranges::sort(file_.n);

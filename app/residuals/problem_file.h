@@ -24,7 +24,7 @@ struct ProblemFile {
   bool exact_is_computed() const { return !written.contains("exact"); }
 };
 
-constexpr int kMostTerms = 256;  // of n: matrices are dense
+constexpr int most_terms = 256;  // of n: matrices are dense
 
 // Throws std::runtime_error with file, line and, in an expression, column.
 ProblemFile read_problem(const std::filesystem::path& path);

@@ -16,7 +16,7 @@ struct Column {
   const char* name;
   std::optional<Real> (*of)(const Errors& errors);
 };
-constexpr Column kColumns[] = {
+constexpr Column columns[] = {
     {"L2", [](const Errors& e) { return std::optional(e.L2); }},
     {"H1", [](const Errors& e) { return std::optional(e.H1_seminorm); }},
     {"energy", [](const Errors& e) { return e.energy_norm; }},
@@ -57,7 +57,7 @@ bool is_least(const Column& column, const Attempt& attempt, const std::vector<co
 std::string attempt_line(const Attempt& attempt, const std::vector<const Attempt*>& row) {
   std::string line =
       formatted("  %-12s %4d  %-18s", std::string(attempt.basis()).c_str(), attempt.n(), attempt.method.c_str());
-  for (const Column& column : kColumns) {
+  for (const Column& column : columns) {
     const auto error = column.of(attempt.errors);
     line +=
         error ? formatted(" %12.5Le%c", *error, is_least(column, attempt, row) ? '*' : ' ') : formatted(" %13s", "- ");
@@ -67,7 +67,7 @@ std::string attempt_line(const Attempt& attempt, const std::vector<const Attempt
 
 std::string errors_text(const ResidualStudy& study) {
   std::string text = formatted("  %-12s %4s  %-18s", "basis", "n", "method");
-  for (const Column& column : kColumns) text += formatted(" %12s ", column.name);
+  for (const Column& column : columns) text += formatted(" %12s ", column.name);
   text += "\n";
   for (const auto* const basis : study.file.bases)
     for (const int n : study.file.n) {

@@ -71,16 +71,16 @@ int conclude(const Simulation& simulation, const Options& options, const RunFold
   if (!options.quiet) print_trouble(outcome);
   if (outcome.status == Status::done) {
     print_references(simulation, outcome);
-    return kDone;
+    return exit_done;
   }
   const std::string saved = folder.state().string();
   if (outcome.status == Status::interrupted) {
     std::cerr << "ritz: interrupted after step " << outcome.run.state.step << " of " << simulation.last_step()
               << "; go on with --resume " << folder.path().string() << '\n';
-    return kInterrupted;
+    return exit_interrupted;
   }
   std::cerr << "ritz: " << why(simulation, outcome) << "\n      the last good state is saved in " << saved << '\n';
-  return kNumericalFailure;
+  return exit_numerical_failure;
 }
 
 }  // namespace app

@@ -116,7 +116,7 @@ std::string run_json(const Simulation& simulation, const Options& options, const
                      const Outcome& outcome, const FrameSink& frames) {
   Json json;
   json.open_object();
-  json.member("program", "ritz").member("version", kVersion);
+  json.member("program", "ritz").member("version", ritz_version);
   put_status(json, simulation, outcome);
   put_options(json, options);
   json.key("scene").raw(scene_json(simulation.document, folder.path()));

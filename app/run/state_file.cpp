@@ -11,9 +11,9 @@
 namespace app {
 namespace {
 
-constexpr std::string_view kMagic = "RITZSTAT";
-constexpr std::uint32_t kFormat = 4;
-constexpr std::size_t kChecksumBytes = 8;
+constexpr std::string_view magic = "RITZSTAT";
+constexpr std::uint32_t format = 4;
+constexpr std::size_t checksum_bytes = 8;
 
 template <typename Unsigned>
 void put(std::string& bytes, Unsigned value) {
@@ -114,8 +114,8 @@ bool plausible(const sim::State& state) {
 
 std::string encode(const SavedRun& run) {
   const sim::State& state = run.state;
-  std::string bytes(kMagic);
-  put(bytes, kFormat);
+  std::string bytes(magic);
+  put(bytes, format);
   put(bytes, run.scene);
   for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged, run.totals.splits})
     put(bytes, count);
@@ -128,10 +128,10 @@ std::string encode(const SavedRun& run) {
 
 SavedRun decode(std::string_view bytes, const std::string& name) {
   Reader reader(bytes, name);
-  if (reader.take(kMagic.size()) != kMagic) reader.fail("does not begin with RITZSTAT: not a state file");
+  if (reader.take(magic.size()) != magic) reader.fail("does not begin with RITZSTAT: not a state file");
   const auto version = reader.number<std::uint32_t>();
-  if (version != kFormat) {
-    reader.fail("has version " + std::to_string(version) + ", this program reads " + std::to_string(kFormat));
+  if (version != format) {
+    reader.fail("has version " + std::to_string(version) + ", this program reads " + std::to_string(format));
   }
   SavedRun run;
   run.scene = reader.number<std::uint64_t>();
@@ -141,8 +141,8 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
   run.totals.min_J = reader.real();
   for (double& value : run.totals.largest) value = reader.real();
   for_each_field(run.state, [&](auto& field) { take_field(reader, field); });
-  if (reader.left() != kChecksumBytes) reader.fail("has the wrong length");
-  const std::uint64_t expected = sim::checksum(bytes.substr(0, bytes.size() - kChecksumBytes));
+  if (reader.left() != checksum_bytes) reader.fail("has the wrong length");
+  const std::uint64_t expected = sim::checksum(bytes.substr(0, bytes.size() - checksum_bytes));
   if (reader.number<std::uint64_t>() != expected) reader.fail("is damaged (wrong checksum)");
   if (!plausible(run.state)) reader.fail("holds numbers that no run leaves");
   return run;

@@ -21,10 +21,10 @@ using sim::ElementKind;
 using sim::InputError;
 
 // A larger mesh is taken for a slip of the pen: its matrix alone would fill 20 GB.
-constexpr double kMostElements = 2e7;
+constexpr double most_elements = 2e7;
 
 void check_count(double elements, const std::string& key) {
-  if (elements > kMostElements) throw InputError(key, "makes more than 2e7 elements");
+  if (elements > most_elements) throw InputError(key, "makes more than 2e7 elements");
 }
 
 void check_axes(const MeshSpec& spec) {

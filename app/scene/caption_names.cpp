@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-constexpr std::pair<std::string_view, CaptionValue> kNames[] = {
+constexpr std::pair<std::string_view, CaptionValue> named_values[] = {
     {"t", CaptionValue::t},
     {"frame", CaptionValue::frame},
     {"steps", CaptionValue::steps},
@@ -24,13 +24,13 @@ constexpr std::pair<std::string_view, CaptionValue> kNames[] = {
 }  // namespace
 
 std::optional<CaptionValue> find_caption_value(std::string_view name) {
-  const auto* const found = std::ranges::find(kNames, name, &std::pair<std::string_view, CaptionValue>::first);
-  return found == std::end(kNames) ? std::nullopt : std::optional(found->second);
+  const auto* const found = std::ranges::find(named_values, name, &std::pair<std::string_view, CaptionValue>::first);
+  return found == std::end(named_values) ? std::nullopt : std::optional(found->second);
 }
 
 std::vector<std::string> known_caption_names() {
   std::vector<std::string> names;
-  for (const auto& [name, value] : kNames) names.emplace_back(name);
+  for (const auto& [name, value] : named_values) names.emplace_back(name);
   return names;
 }
 

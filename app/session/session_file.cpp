@@ -110,23 +110,23 @@ struct Reading {
   std::string_view name;
   Input (*read)(const Table&);
 };
-constexpr std::array<Reading, 8> kReadings = {{{"set", read_set},
-                                               {"camera", read_camera},
-                                               {"pull", read_pull},
-                                               {"pull-to", read_pull_to},
-                                               {"release", read_plain<Release>},
-                                               {"back", read_plain<StepBack>},
-                                               {"reset", read_plain<Reset>},
-                                               {"restart", read_plain<Restart>}}};
+constexpr std::array<Reading, 8> readings = {{{"set", read_set},
+                                              {"camera", read_camera},
+                                              {"pull", read_pull},
+                                              {"pull-to", read_pull_to},
+                                              {"release", read_plain<Release>},
+                                              {"back", read_plain<StepBack>},
+                                              {"reset", read_plain<Reset>},
+                                              {"restart", read_plain<Restart>}}};
 
 Input read_input(const Table& table) {
   const auto names = [] {
     std::vector<std::string_view> all;
-    for (const Reading& reading : kReadings) all.push_back(reading.name);
+    for (const Reading& reading : readings) all.push_back(reading.name);
     return all;
   };
   const auto what = table.value<std::string>("do", Form(Kind::choice).of(names));
-  return std::ranges::find(kReadings, what, &Reading::name)->read(table);
+  return std::ranges::find(readings, what, &Reading::name)->read(table);
 }
 
 void read_inputs(const Table& root, const std::string& file, SessionFile& session) {

@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-constexpr double kUnseen = 0.5;  // pixels
+constexpr double unseen = 0.5;  // pixels
 
 // The scene without one feature, against the scene.
 struct Removal {
@@ -26,7 +26,7 @@ struct Removal {
 std::string line(const Removal& removal) {
   const CaseRun& run = *removal.run;
   if (run.status != CaseStatus::done) return "  " + run.which.label + ": " + run.reason + '\n';
-  const char* const verdict = removal.change.pixels < kUnseen ? "nothing that is seen: it can go" : "";
+  const char* const verdict = removal.change.pixels < unseen ? "nothing that is seen: it can go" : "";
   return formatted("  %-46s %8.1f %10.3g %10.3g %10.3g  %s\n", run.which.label.c_str(), 100 * removal.saved,
                    100 * removal.change.rms, 100 * removal.change.max, removal.change.pixels, verdict);
 }
@@ -78,7 +78,7 @@ int ablate(const Options& options) {
       removals.push_back(removal);
     }
   } catch (const Interrupted&) {
-    return kInterrupted;
+    return exit_interrupted;
   }
   std::ranges::stable_sort(removals, {}, [](const Removal& r) { return r.change.pixels; });
   std::string table =
@@ -90,7 +90,7 @@ int ablate(const Options& options) {
   }
   write_atomically(folder / "ablate.csv", csv, false);
   std::cout << table;
-  return kDone;
+  return exit_done;
 }
 
 }  // namespace app

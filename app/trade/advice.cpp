@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-constexpr double kTimeMargin = 1.1;  // wall times vary
+constexpr double time_margin = 1.1;  // wall times vary
 
 // Candidates: runs that a user may take, with errors that are known.
 std::vector<const Score*> candidates(const std::vector<const Score*>& scores) {
@@ -57,7 +57,7 @@ std::vector<const Score*> front_of(const std::vector<const Score*>& scores) {
 
 bool meets(const Score& score, const Goal& goal) {
   if (goal.kind == Goal::Kind::knee) return true;
-  if (goal.kind == Goal::Kind::time) return kTimeMargin * score.seconds() <= goal.value;
+  if (goal.kind == Goal::Kind::time) return time_margin * score.seconds() <= goal.value;
   return error_of(score.bound, goal) <= goal.value;
 }
 

@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-constexpr std::string_view kEndOfHead = "---\n";
+constexpr std::string_view end_of_head = "---\n";
 static_assert(std::endian::native == std::endian::little, "the numbers of a path are stored as they lie in memory");
 
 std::string head(const CaseRun& run) {
@@ -20,7 +20,7 @@ std::string head(const CaseRun& run) {
   const auto line = [&](std::string_view name, const std::string& value) {
     text.append(name).append(" = ").append(value) += '\n';
   };
-  line("version", quoted_text(kVersion));
+  line("version", quoted_text(ritz_version));
   line("label", quoted_text(run.which.label));
   line("axis", std::to_string(static_cast<int>(run.which.axis)));
   line("id", quoted_text(std::to_string(run.id)));
@@ -89,7 +89,7 @@ CaseRun read_head(const toml::table& table) {
 }  // namespace
 
 std::string encode(const CaseRun& run) {
-  std::string bytes = head(run).append(kEndOfHead);
+  std::string bytes = head(run).append(end_of_head);
   for_each_number(run, [&](const double& x) {
     const auto raw = std::bit_cast<std::array<char, sizeof(double)>>(x);
     bytes.append(raw.data(), raw.size());
@@ -98,13 +98,13 @@ std::string encode(const CaseRun& run) {
 }
 
 std::optional<CaseRun> decode_case(std::string_view bytes) {
-  const std::size_t end = bytes.find(kEndOfHead);
+  const std::size_t end = bytes.find(end_of_head);
   if (end == std::string_view::npos) return std::nullopt;
   try {
     const toml::table table = toml::parse(bytes.substr(0, end));
-    if (table["version"].value_or(std::string()) != kVersion) return std::nullopt;
+    if (table["version"].value_or(std::string()) != ritz_version) return std::nullopt;
     CaseRun run = read_head(table);
-    bytes.remove_prefix(end + kEndOfHead.size());
+    bytes.remove_prefix(end + end_of_head.size());
     std::size_t numbers = 0;
     for_each_number(run, [&](double&) { ++numbers; });
     if (bytes.size() != numbers * sizeof(double)) return std::nullopt;

@@ -10,13 +10,13 @@
 namespace app {
 namespace {
 
-constexpr int kWidth = 1920, kHeight = 1080;
-constexpr std::int64_t kMostNumbers = 1 << 19;  // of a trajectory that is kept: 4 MB
-constexpr std::int64_t kLeastFrames = 24;       // ... but so many frames
+constexpr int frame_width = 1920, frame_height = 1080;
+constexpr std::int64_t most_numbers = 1 << 19;  // of a trajectory that is kept: 4 MB
+constexpr std::int64_t least_frames = 24;       // ... but so many frames
 
 render::View screen_of(const Simulation& simulation) {
   const Eigen::AlignedBox3d box = rest_box(simulation.system->bodies());
-  const double aspect = double(kWidth) / kHeight;
+  const double aspect = double(frame_width) / frame_height;
   render::Bounds bounds;
   bounds.add(render::to_vector(to_point(box.min())));
   bounds.add(render::to_vector(to_point(box.max())));
@@ -45,13 +45,13 @@ Comparison make_comparison(const Options& options) {
 Stretch stretch_of(const Comparison& comparison, std::int64_t frames) {
   frames = std::clamp<std::int64_t>(frames, 1, std::max<std::int64_t>(comparison.scene.last_frame(), 1));
   const std::int64_t numbers = comparison.points.X.size();
-  const std::int64_t most = std::max(kLeastFrames, kMostNumbers / std::max<std::int64_t>(numbers, 1));
+  const std::int64_t most = std::max(least_frames, most_numbers / std::max<std::int64_t>(numbers, 1));
   const std::int64_t stride = (frames + most - 1) / most;
   return {frames / stride * stride, stride};
 }
 
 std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene) {
-  std::string text(kVersion);
+  std::string text(ritz_version);
   for (const std::uint64_t number : {comparison.scene.identity, scene, std::uint64_t(comparison.stretch.last),
                                      std::uint64_t(comparison.stretch.stride)})
     text += ' ' + std::to_string(number);
@@ -68,7 +68,7 @@ sim::Trajectory on_screen(const Comparison& comparison, const sim::Trajectory& p
       Eigen::Vector3f point = Eigen::Vector3f::Zero();
       point.head(path.dimension) = x.segment(Eigen::Index(p) * path.dimension, path.dimension).cast<float>();
       pixels.segment<2>(2 * Eigen::Index(p)) =
-          comparison.view.to_window(point, kWidth, kHeight).head<2>().cast<double>();
+          comparison.view.to_window(point, frame_width, frame_height).head<2>().cast<double>();
     }
     screen.x.push_back(std::move(pixels));
   }

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kTight = "1e-6";  // body sizes/s
+constexpr const char* tight = "1e-6";  // body sizes/s
 
 std::string step_text(const Document& scene, int substeps) {
   return "h=1/" + std::to_string(scene.scene.time.fps * substeps);
@@ -28,7 +28,7 @@ TradeCase lagging(const TradeCase& which) {
 TradeCase reference_case(const Document& scene, std::string_view integrator, int substeps) {
   TradeCase which = time_case(scene, integrator, substeps);
   which.axis = Axis::reference;
-  which = with(with(which, "tolerance 1e-6", "solver.tolerance", kTight), "auto", "solver.linear", "auto");
+  which = with(with(which, "tolerance 1e-6", "solver.tolerance", tight), "auto", "solver.linear", "auto");
   return lags(scene.scene) ? lagging(which) : which;
 }
 

@@ -14,8 +14,8 @@
 namespace app {
 namespace {
 
-constexpr double kLookShare = 0.02;     // of the time: a first look
-constexpr double kRepeatShare = 0.004;  // of the time: shorter runs are timed three times
+constexpr double look_share = 0.02;     // of the time: a first look
+constexpr double repeat_share = 0.004;  // of the time: shorter runs are timed three times
 
 }  // namespace
 
@@ -75,7 +75,7 @@ const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
       run.reason = recall_only_.empty() ? "no time left" : recall_only_;
       return add(std::move(run));
     }
-    const Allowance allowed{std::min(allowance, left()), kRepeatShare * seconds_};
+    const Allowance allowed{std::min(allowance, left()), repeat_share * seconds_};
     CaseRun run = run_case(comparison_, which, build_simulation(options), allowed, interrupt_);
     keep(run);
     return add(told(std::move(run)));
@@ -94,7 +94,7 @@ CaseRun Notebook::told(CaseRun run) const {
 
 double Notebook::first_look(const TradeCase& which) {
   const Simulation simulation = build_simulation(options_of(comparison_.options, which));
-  const CaseRun run = run_case(comparison_, which, simulation, {0, 0, kLookShare * seconds_}, interrupt_);
+  const CaseRun run = run_case(comparison_, which, simulation, {0, 0, look_share * seconds_}, interrupt_);
   return run.status == CaseStatus::skipped ? run.estimate : run.work.median() * comparison_.seconds();
 }
 

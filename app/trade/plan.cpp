@@ -15,19 +15,19 @@ namespace {
 
 // All runs on the scene's mesh against the coarser run of the reference scheme: that one, the finer (2), the second
 // scheme twice (1.5), the ladder of all schemes (about 2), and a little for motion that is slow at first.
-constexpr double kWholeOverReference = 8;
-constexpr int kDeepest = 8;
-constexpr std::int64_t kFewestFrames = 12;
+constexpr double whole_over_reference = 8;
+constexpr int deepest_allowed = 8;
+constexpr std::int64_t fewest_frames = 12;
 
 }  // namespace
 
 Plan affordable_plan(double seconds, double reference_seconds, int tried, std::int64_t frames) {
-  const double at_depth_1 = kWholeOverReference * reference_seconds / tried;
-  Plan plan{kDeepest, frames};
+  const double at_depth_1 = whole_over_reference * reference_seconds / tried;
+  Plan plan{deepest_allowed, frames};
   while (plan.depth > 1 && at_depth_1 * plan.depth > seconds) plan.depth /= 2;
   const double share = seconds / (at_depth_1 * plan.depth);
   if (share >= 1) return plan;
-  plan.frames = std::clamp(static_cast<std::int64_t>(share * double(frames)), std::min(kFewestFrames, frames), frames);
+  plan.frames = std::clamp(static_cast<std::int64_t>(share * double(frames)), std::min(fewest_frames, frames), frames);
   return plan;
 }
 
@@ -35,7 +35,7 @@ std::optional<Plan> read_plan(const std::filesystem::path& file, std::uint64_t s
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     const toml::table table = toml::parse_file(file.string());
-    const bool same = table["version"].value_or(std::string()) == kVersion &&
+    const bool same = table["version"].value_or(std::string()) == ritz_version &&
                       table["scene"].value_or(std::string()) == std::to_string(scene) &&
                       table["seconds"].value_or(0.0) == seconds;
     if (!same) return std::nullopt;
@@ -46,7 +46,8 @@ std::optional<Plan> read_plan(const std::filesystem::path& file, std::uint64_t s
 }
 
 void write_plan(const std::filesystem::path& file, std::uint64_t scene, double seconds, const Plan& plan) {
-  const std::string text = "version = " + quoted_text(kVersion) + "\nscene = " + quoted_text(std::to_string(scene)) +
+  const std::string text = "version = " + quoted_text(ritz_version) +
+                           "\nscene = " + quoted_text(std::to_string(scene)) +
                            "\nseconds = " + number_literal(seconds) + "\ndepth = " + std::to_string(plan.depth) +
                            "\nframes = " + std::to_string(plan.frames) + "\n";
   write_atomically(file, text, true);

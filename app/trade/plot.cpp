@@ -27,8 +27,8 @@ struct Series {
   bool on_y2 = false;  // at heights of the picture instead of errors
 };
 
-constexpr double kFailed = 1;     // body sizes: no result any more
-constexpr double kMargin = 0.97;  // where failures are drawn, as a share of the height
+constexpr double failed_error = 1;  // body sizes: no result any more
+constexpr double margin = 0.97;     // where failures are drawn, as a share of the height
 
 // One colour for each integrator, in every diagram [Okabe & Ito, darker yellow, and two more].
 std::string integrator_style(const std::string& name) {
@@ -42,7 +42,7 @@ std::string integrator_style(const std::string& name) {
 
 bool failed(const Score& score) {
   const auto& error = score.total ? score.total : score.time;
-  return score.run->status == CaseStatus::failed || (error && !(error->rms < kFailed));
+  return score.run->status == CaseStatus::failed || (error && !(error->rms < failed_error));
 }
 
 // A point of a panel, where it has one above what is certain.
@@ -93,7 +93,7 @@ Series failures(const Diagram& diagram) {
   Series series{"failed", "points pt 2 ps 1 lw 2 lc rgb '#cc0000'", {}, true};
   for (const Score* score : diagram.scores)
     if (failed(*score) && score->seconds() > 0)
-      series.dots.push_back({score->seconds(), kMargin, score->run->which.label});
+      series.dots.push_back({score->seconds(), margin, score->run->which.label});
   return series;
 }
 

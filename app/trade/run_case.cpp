@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr int kRepeats = 3;
+constexpr int repeats = 3;
 
 // One pass over the stretch.
 class Pass {
@@ -101,7 +101,7 @@ CaseRun run_case(const Comparison& comparison, const TradeCase& which, const Sim
     Pass first(comparison, simulation, interrupt);
     first.go(allowance, &sampler, run);
     const bool repeat = run.status == CaseStatus::done && first.seconds() < allowance.repeat;
-    for (int k = 1; repeat && k < kRepeats; ++k) time_again(comparison, simulation, run, interrupt);
+    for (int k = 1; repeat && k < repeats; ++k) time_again(comparison, simulation, run, interrupt);
   } catch (const sim::InputError& error) {
     run.status = CaseStatus::failed;
     run.reason = error.what();

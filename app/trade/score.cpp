@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 bool changes(const TradeCase& which, std::string_view key_end) {
   return std::ranges::any_of(which.settings, [&](const auto& setting) {
@@ -65,7 +65,7 @@ const Score& Scorer::score(const CaseRun& run) {
 Score Scorer::judge(const CaseRun& run) const {
   Score score;
   score.run = &run;
-  score.bound = {kInfinity, kInfinity, kInfinity};
+  score.bound = {infinite, infinite, infinite};
   if (run.status != CaseStatus::done || !references_.time) return score;
   judge_against_time(score);
   if (references_.mesh) judge_against_mesh(score);

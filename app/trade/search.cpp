@@ -12,9 +12,9 @@ namespace app {
 namespace {
 
 // Shares of the time that is left when a phase begins.
-constexpr double kTimeShare = 0.6, kMeshReferenceShare = 0.5, kMeshShare = 0.4, kRestShare = 0.25;
-constexpr int kMostCombinations = 6;
-constexpr double kGrowthOfWork = 1.2;  // work goes as unknowns to this power, at the least
+constexpr double time_share = 0.6, mesh_reference_share = 0.5, mesh_share = 0.4, rest_share = 0.25;
+constexpr int most_combinations = 6;
+constexpr double growth_of_work = 1.2;  // work goes as unknowns to this power, at the least
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void Search::go(const std::optional<Plan>& plan) {
     note("only the first " + formatted("%.3g s", comparison_.seconds()) + " of " +
          formatted("%.3g s", scene().scene.time.seconds) +
          " are measured: more does not fit into the time (--minutes)");
-  notebook_.run(scene_case(), kTimeShare * notebook_.left());
+  notebook_.run(scene_case(), time_share * notebook_.left());
   if (!find_references()) return;
   time_axis();
   if (!comparison_.options.trade.keep_mesh) mesh_axis();
@@ -80,7 +80,7 @@ void Search::make_plan() {
   } else {
     constexpr int tried = 4;
     const double look = notebook_.first_look(reference_cases(scene(), tried)[1]);
-    plan_ = affordable_plan(kTimeShare * notebook_.left(), look, tried, frames);
+    plan_ = affordable_plan(time_share * notebook_.left(), look, tried, frames);
     write_plan(file, key, notebook_.seconds(), plan_);
   }
   comparison_.stretch = stretch_of(comparison_, plan_.frames);
@@ -90,7 +90,7 @@ bool Search::find_references() {
   for (;; plan_.depth /= 2) {
     std::vector<const CaseRun*> runs;
     const bool all_done = std::ranges::all_of(reference_cases(scene(), plan_.depth), [&](const TradeCase& which) {
-      runs.push_back(&notebook_.run(which, runs.empty() ? kTimeShare * notebook_.left() : notebook_.left()));
+      runs.push_back(&notebook_.run(which, runs.empty() ? time_share * notebook_.left() : notebook_.left()));
       return runs.back()->status == CaseStatus::done;
     });
     if (all_done) {
@@ -122,8 +122,8 @@ void Search::judge_references(const std::vector<const CaseRun*>& runs) {
 }
 
 void Search::time_axis() {
-  for (const TradeCase& which : time_cases(scene(), plan_.depth)) notebook_.run(which, kTimeShare * notebook_.left());
-  for (const TradeCase& which : explicit_cases()) notebook_.run(which, kRestShare * notebook_.left());
+  for (const TradeCase& which : time_cases(scene(), plan_.depth)) notebook_.run(which, time_share * notebook_.left());
+  for (const TradeCase& which : explicit_cases()) notebook_.run(which, rest_share * notebook_.left());
   raise_floor();
 }
 
@@ -147,7 +147,7 @@ const CaseRun* Search::find_finest(std::vector<MeshChange>& changes, double seco
     changes.pop_back();
     if (!change.finest) continue;
     const TradeCase which = both(time, change.change, Axis::mesh);
-    const double least = own.work.median() * comparison_.seconds() * std::pow(change.growth, kGrowthOfWork);
+    const double least = own.work.median() * comparison_.seconds() * std::pow(change.growth, growth_of_work);
     if (least > seconds && !notebook_.recalls_only()) {
       notebook_.skip(which, "would take " + formatted("%.3g s", least) + " or more");
       continue;
@@ -160,14 +160,14 @@ const CaseRun* Search::find_finest(std::vector<MeshChange>& changes, double seco
 
 void Search::mesh_axis() {
   std::vector<MeshChange> changes = mesh_changes(scene());
-  const CaseRun* const finest = find_finest(changes, kMeshReferenceShare * notebook_.left());
+  const CaseRun* const finest = find_finest(changes, mesh_reference_share * notebook_.left());
   if (!finest) {
     note("no finer mesh could be afforded or made: the mesh error is not known, targets bound the time error only");
     return;
   }
   const TradeCase time = mesh_time_case(scene(), plan_);
   for (const MeshChange& change : changes)
-    notebook_.run(both(time, change.change, Axis::mesh), kMeshShare * notebook_.left());
+    notebook_.run(both(time, change.change, Axis::mesh), mesh_share * notebook_.left());
   judge_meshes(*finest);
 }
 
@@ -219,8 +219,8 @@ void Search::combine() {
         std::log((goal_.kind == Goal::Kind::time ? expected[k].work : 2 * expected[k].error) / goal_.value));
   };
   std::ranges::stable_sort(members, {}, distance);
-  for (std::size_t k = 0; k < members.size() && k < kMostCombinations; ++k)
-    notebook_.run(guesses[members[k]].which, kRestShare * notebook_.left());
+  for (std::size_t k = 0; k < members.size() && k < most_combinations; ++k)
+    notebook_.run(guesses[members[k]].which, rest_share * notebook_.left());
 }
 
 // One setting at a time around the scene's own and around the best.
@@ -235,7 +235,7 @@ void Search::rest() {
     for (const TradeCase& start : around) {
       if (std::ranges::find(seen, settings_text(start)) != seen.end()) continue;
       seen.push_back(settings_text(start));
-      for (const TradeCase& which : rest_cases(scene(), start)) notebook_.run(which, kRestShare * notebook_.left());
+      for (const TradeCase& which : rest_cases(scene(), start)) notebook_.run(which, rest_share * notebook_.left());
     }
     around.clear();
   }
@@ -245,7 +245,7 @@ void Search::time_front_again() {
   constexpr std::size_t enough = 3;
   for (const Score* score : front_of(scores()))
     while (score->run->work.seconds.size() < enough &&
-           score->run->work.median() * comparison_.seconds() < kRestShare * notebook_.left())
+           score->run->work.median() * comparison_.seconds() < rest_share * notebook_.left())
       notebook_.time_again(*score->run);
 }
 

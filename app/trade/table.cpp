@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-constexpr double kMeaningful = 0.3;  // of the size: larger errors follow no order
+constexpr double meaningful = 0.3;  // of the size: larger errors follow no order
 
 std::string in_percent(const std::optional<Apart>& apart) {
   return apart ? formatted("%.2g", 100 * apart->rms) : "";
@@ -90,7 +90,7 @@ std::string left_out(const std::vector<const Score*>& scores) {
   return failed + (skipped.empty() ? "" : "  skipped: " + skipped + '\n');
 }
 
-constexpr std::string_view kHeader =
+constexpr std::string_view header =
     "case,axis,settings,status,reason,step,dofs,time_error,time_error_max,time_pixels,mesh_error,mesh_error_max,"
     "mesh_pixels,model_error,model_error_max,model_pixels,total_error,total_error_max,total_pixels,error_bound,"
     "resolved,"
@@ -119,7 +119,7 @@ std::string table_text(const std::vector<const Score*>& scores, const References
 std::string trade_csv(const std::vector<const Score*>& scores, const Comparison& comparison) {
   constexpr const char* names[] = {"done", "failed", "skipped"};
   const std::vector<const Score*> members = front_of(scores);
-  std::string text(kHeader);
+  std::string text(header);
   for (const Score* score : scores) {
     const CaseRun& run = *score->run;
     const Work& work = run.work;
@@ -142,7 +142,7 @@ std::vector<Slope> slopes(const std::vector<const Score*>& scores) {
   std::map<std::string, ErrorsByStep> all;
   for (const Score* score : scores) {
     const CaseRun& run = *score->run;
-    if (run.which.axis != Axis::time || !score->time || !score->resolved || score->time->rms > kMeaningful) continue;
+    if (run.which.axis != Axis::time || !score->time || !score->resolved || score->time->rms > meaningful) continue;
     ErrorsByStep& series = all[run.which.settings.front().second];
     series.order = run.order;
     series.steps.push_back(run.step);

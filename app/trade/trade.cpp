@@ -34,7 +34,7 @@ std::string held_scene(const std::filesystem::path& file) {
 // A folder is for one scene: what lies there of another is left alone.
 void take_folder(const std::filesystem::path& folder, std::uint64_t identity, bool overwrite) {
   const std::filesystem::path file = folder / "cases" / "scene";
-  const std::string mine = std::string(kVersion) + " " + std::to_string(identity), held = held_scene(file);
+  const std::string mine = std::string(ritz_version) + " " + std::to_string(identity), held = held_scene(file);
   if (overwrite) std::filesystem::remove_all(folder / "cases");
   if (!overwrite && !held.empty() && held != mine)
     throw std::runtime_error(folder.string() +
@@ -164,7 +164,10 @@ std::string Trade::advice_text(const Advice& advice) {
 void Trade::write_json(const Advice& advice) {
   const References& references = scorer_.references();
   Json json;
-  json.open_object().member("scene", options_.scene.string()).member("version", kVersion).member("goal", goal_.text);
+  json.open_object()
+      .member("scene", options_.scene.string())
+      .member("version", ritz_version)
+      .member("goal", goal_.text);
   json.member("compared_seconds", comparison_.seconds()).member("depth", search_.plan().depth);
   json.key("reference").open_object();
   json.member("moved_by_halving", references.check.moved).member("second_scheme_apart", references.check.apart);

@@ -15,7 +15,7 @@ namespace {
 
 using render::WindowEvent;
 
-constexpr double kStepping = 0.03;  // s of wall time between two pictures
+constexpr double stepping = 0.03;  // s of wall time between two pictures
 
 std::optional<Action> action_of(const WindowEvent& event) {
   switch (event.key) {
@@ -157,7 +157,7 @@ bool Workbench::advance(double wall) {
   pace_.pass(wall, h);
   const Stopwatch watch;
   bool stepped = false;
-  while (playing_ && pace_.due(h) && watch.seconds() < kStepping) {
+  while (playing_ && pace_.due(h) && watch.seconds() < stepping) {
     stepped = true;
     if (!step()) break;
     pace_.stepped(h);

@@ -11,11 +11,11 @@
 namespace sim::residual {
 namespace {
 
-constexpr int kGaussPoints = 20;   // a panel
-constexpr int kDeepest = 30;       // halvings
-constexpr int kMostPanels = 4000;  // of all
-constexpr int kFewestPanels = 8;
-constexpr Real kRoundOff = 1e-15L;  // of the largest value
+constexpr int panel_points = 20;     // a panel
+constexpr int deepest_allowed = 30;  // halvings
+constexpr int most_panels = 4000;    // of all
+constexpr int fewest_panels = 8;
+constexpr Real round_off = 1e-15L;  // of the largest value
 
 struct Part {
   const char* key;
@@ -49,11 +49,11 @@ struct View {
 
 class Sieve {
  public:
-  Sieve() : rule_(gauss_legendre(kGaussPoints)) {
-    for (int p = 0; p < kGaussPoints; ++p)
+  Sieve() : rule_(gauss_legendre(panel_points)) {
+    for (int p = 0; p < panel_points; ++p)
       for (int m = 0; m < 2; ++m) {
         // c_m = (2m + 1)/2 int g P_m dt
-        const int degree = kGaussPoints - 1 - m;
+        const int degree = panel_points - 1 - m;
         tail_(m, p) = rule_.weight[p] * (2 * degree + 1) / 2 * legendre(degree, rule_.t[p]).value;
       }
   }
@@ -61,7 +61,7 @@ class Sieve {
   View look(const Part& part, const Panel& panel) const {
     View view;
     Eigen::Matrix<Real, 2, 1> tail = {0, 0};
-    for (int p = 0; p < kGaussPoints; ++p) {
+    for (int p = 0; p < panel_points; ++p) {
       const Real x = (panel.low + panel.high + rule_.t[p] * (panel.high - panel.low)) / 2, value = part.at(x);
       if (!std::isfinite(value)) {
         std::ostringstream text;
@@ -77,12 +77,12 @@ class Sieve {
 
  private:
   Rule rule_;
-  Eigen::Matrix<Real, 2, kGaussPoints> tail_;
+  Eigen::Matrix<Real, 2, panel_points> tail_;
 };
 
 // The first panels: a multiple of the cells of n hats.
 std::vector<Panel> first_panels(int n) {
-  const int cells = n + 1, count = cells * ((kFewestPanels + cells - 1) / cells);
+  const int cells = n + 1, count = cells * ((fewest_panels + cells - 1) / cells);
   std::vector<Panel> panels;
   for (int i = 0; i < count; ++i) panels.push_back({Real(i) / count, Real(i + 1) / count, 0});
   return panels;
@@ -97,8 +97,8 @@ void refuse_singular(const Part& part, const Panel& panel, const View& view, Rea
 }
 
 [[noreturn]] void refuse_unresolved(const Part& part) {
-  throw ProblemError(part.key, std::string(part.key) + " is not resolved by " + std::to_string(kMostPanels) +
-                                   " panels of " + std::to_string(kGaussPoints) +
+  throw ProblemError(part.key, std::string(part.key) + " is not resolved by " + std::to_string(most_panels) +
+                                   " panels of " + std::to_string(panel_points) +
                                    " points: must be bounded, and must not swing so fast");
 }
 
@@ -115,13 +115,13 @@ void refine(const Sieve& sieve, const Part& part, std::vector<Panel>& panels) {
     const Panel panel = waiting.back();
     waiting.pop_back();
     const View view = sieve.look(part, panel);
-    const bool deepest = panel.depth == kDeepest, resolved = view.tail <= kRoundOff * std::max(scale, view.size);
+    const bool deepest = panel.depth == deepest_allowed, resolved = view.tail <= round_off * std::max(scale, view.size);
     if (deepest && !resolved) refuse_singular(part, panel, view, mean);
     if (deepest || resolved) {
       fine.push_back(panel);
       continue;
     }
-    if (fine.size() + waiting.size() > kMostPanels) refuse_unresolved(part);
+    if (fine.size() + waiting.size() > most_panels) refuse_unresolved(part);
     const Real middle = (panel.low + panel.high) / 2;
     waiting.push_back({middle, panel.high, panel.depth + 1});
     waiting.push_back({panel.low, middle, panel.depth + 1});
@@ -142,13 +142,13 @@ std::vector<Real> make_panels(const Problem& problem, int n) {
 
 Grid gauss_grid(const Problem& problem, int n) {
   const std::vector<Real> ends = make_panels(problem, n);
-  const Rule rule = gauss_legendre(kGaussPoints);
+  const Rule rule = gauss_legendre(panel_points);
   const auto count = static_cast<Eigen::Index>(ends.size()) - 1;
-  Grid grid{Vector(count * kGaussPoints), Vector(count * kGaussPoints)};
+  Grid grid{Vector(count * panel_points), Vector(count * panel_points)};
   for (Eigen::Index i = 0; i < count; ++i) {
     const Real half = (ends[i + 1] - ends[i]) / 2;
-    grid.x.segment(i * kGaussPoints, kGaussPoints) = Vector::Constant(kGaussPoints, ends[i] + half) + half * rule.t;
-    grid.weight.segment(i * kGaussPoints, kGaussPoints) = half * rule.weight;
+    grid.x.segment(i * panel_points, panel_points) = Vector::Constant(panel_points, ends[i] + half) + half * rule.t;
+    grid.weight.segment(i * panel_points, panel_points) = half * rule.weight;
   }
   return grid;
 }

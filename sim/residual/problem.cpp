@@ -8,7 +8,7 @@
 namespace sim::residual {
 namespace {
 
-constexpr int kCells = 1000;
+constexpr int cells = 1000;
 
 std::string text_of(Real number) {
   std::ostringstream text;
@@ -23,23 +23,23 @@ std::string value_text(const std::string& key, Real x, Real value) {
 }
 
 void check_finite(const std::string& key, const Function& function) {
-  for (int i = 1; i < kCells; ++i) {
-    const Real x = Real(i) / kCells, value = function(x).value;
+  for (int i = 1; i < cells; ++i) {
+    const Real x = Real(i) / cells, value = function(x).value;
     if (!std::isfinite(value))
       throw ProblemError(key, value_text(key, x, value) + ": must be a finite number for all x between 0 and 1");
   }
 }
 
 void check_positive(const Function& k) {
-  for (int i = 0; i <= kCells; ++i) {
-    const Real x = Real(i) / kCells, value = k(x).value;
+  for (int i = 0; i <= cells; ++i) {
+    const Real x = Real(i) / cells, value = k(x).value;
     if (!(value > 0)) throw ProblemError("k", value_text("k", x, value) + ": must be > 0 for all x from 0 to 1");
   }
 }
 
 void check_ends(const Function& u) {
   Real largest = 0;
-  for (int i = 0; i <= kCells; ++i) largest = std::max(largest, std::abs(u(Real(i) / kCells).value));
+  for (int i = 0; i <= cells; ++i) largest = std::max(largest, std::abs(u(Real(i) / cells).value));
   for (const Real x : {Real(0), Real(1)}) {
     const Real value = u(x).value;
     if (!(std::abs(value) <= Real(1e-10) * largest))

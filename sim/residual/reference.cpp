@@ -17,13 +17,14 @@
 namespace sim::residual {
 namespace {
 
-constexpr int kStages = 16;
-constexpr int kDoublings = 12;  // rounds of halving
-constexpr std::size_t kMostPieces = 400;
-constexpr Real kResolved = 1e-16L;  // of the largest |u'|, |s'|: what the last coefficients of a resolved panel have
+constexpr int stages = 16;
+constexpr int doublings = 12;  // rounds of halving
+constexpr std::size_t most_pieces = 400;
+constexpr Real resolved_tail =
+    1e-16L;  // of the largest |u'|, |s'|: what the last coefficients of a resolved panel have
 
-constexpr Real kMostChange = 1e-6L;
-const char* const kNotUnique = "L u = f has no solution that is the only one";
+constexpr Real most_change = 1e-6L;
+const char* const not_unique = "L u = f has no solution that is the only one";
 
 using Pair = Eigen::Matrix<Real, 2, 1>;
 using Block = Eigen::Matrix<Real, 2, 2>;
@@ -35,14 +36,14 @@ Real integral_of(int m, Real t, const Legendre& after, const Legendre& P) {
 
 // I_jm = int from -1 to t_j of the Lagrange polynomial m, exactly: in Legendre polynomials, whose integrals are known.
 struct Collocation {
-  Rule rule = gauss_legendre(kStages);
-  Matrix to_legendre{kStages, kStages};  // values at the points -> coefficients of P_0 ... P_15
-  Matrix integral{kStages, kStages};
+  Rule rule = gauss_legendre(stages);
+  Matrix to_legendre{stages, stages};  // values at the points -> coefficients of P_0 ... P_15
+  Matrix integral{stages, stages};
 
   Collocation() {
-    Matrix integrals(kStages, kStages);  // of P_m up to t_j
-    for (int j = 0; j < kStages; ++j)
-      for (int m = 0; m < kStages; ++m) {
+    Matrix integrals(stages, stages);  // of P_m up to t_j
+    for (int j = 0; j < stages; ++j)
+      for (int m = 0; m < stages; ++m) {
         to_legendre(m, j) = rule.weight[j] * (2 * m + 1) / 2 * legendre(m, rule.t[j]).value;
         integrals(j, m) = integral_of(m, rule.t[j], legendre(m + 1, rule.t[j]), legendre(m, rule.t[j]));
       }
@@ -61,20 +62,20 @@ struct Piece {
 Piece make_piece(const Problem& problem, const Collocation& collocation, Real low, Real high) {
   const Real half = (high - low) / 2;
   const Matrix I = half * collocation.integral;
-  Matrix A = Matrix::Identity(2 * kStages, 2 * kStages), right = Matrix::Zero(2 * kStages, 3);
-  for (int j = 0; j < kStages; ++j) {
+  Matrix A = Matrix::Identity(2 * stages, 2 * stages), right = Matrix::Zero(2 * stages, 3);
+  for (int j = 0; j < stages; ++j) {
     const Real x = low + half * (1 + collocation.rule.t[j]), k = problem.k(x).value;
     const Real by_s = 1 / k, s_by_s = problem.a(x).value / k, s_by_u = problem.q(x).value;
-    A.row(j).tail(kStages) -= by_s * I.row(j);
-    A.row(kStages + j).head(kStages) -= s_by_u * I.row(j);
-    A.row(kStages + j).tail(kStages) -= s_by_s * I.row(j);
+    A.row(j).tail(stages) -= by_s * I.row(j);
+    A.row(stages + j).head(stages) -= s_by_u * I.row(j);
+    A.row(stages + j).tail(stages) -= s_by_s * I.row(j);
     right(j, 1) = by_s;
-    right.row(kStages + j) << s_by_u, s_by_s, -problem.f(x).value;
+    right.row(stages + j) << s_by_u, s_by_s, -problem.f(x).value;
   }
   Piece piece{low, high, Eigen::PartialPivLU<Matrix>(A).solve(right), Block::Identity(), Pair::Zero()};
   for (int component = 0; component < 2; ++component) {
     const Eigen::Matrix<Real, 1, 3> sum =
-        half * collocation.rule.weight.transpose() * piece.slopes.middleRows(component * kStages, kStages);
+        half * collocation.rule.weight.transpose() * piece.slopes.middleRows(component * stages, stages);
     piece.step.row(component) += sum.head<2>();
     piece.shift[component] = sum[2];
   }
@@ -96,7 +97,7 @@ std::vector<Pair> join(const std::vector<Piece>& pieces) {
   Eigen::SparseMatrix<Real> A(size, size);
   A.setFromTriplets(entries.begin(), entries.end());
   Eigen::SparseLU<Eigen::SparseMatrix<Real>> lu(A);
-  if (lu.info() != Eigen::Success) throw ProblemError("f", kNotUnique);
+  if (lu.info() != Eigen::Success) throw ProblemError("f", not_unique);
   const Vector y = lu.solve(b);
   std::vector<Pair> ends;
   for (Eigen::Index i = 0; i <= count; ++i) ends.push_back(y.segment<2>(2 * i));
@@ -115,7 +116,7 @@ struct Curve {
     const Real half = (ends[i + 1] - ends[i]) / 2, t = (x - ends[i]) / half - 1;
     Jet u{y[i][0], 0};
     Legendre P;
-    for (int m = 0; m < kStages; ++m) {
+    for (int m = 0; m < stages; ++m) {
       const Legendre after = next(P, m, t);
       u.value += half * slopes[i](m, 0) * integral_of(m, t, after, P);
       u.slope += slopes[i](m, 0) * P.value;
@@ -132,7 +133,7 @@ Curve make_curve(const Problem& problem, const Collocation& collocation, const s
   Curve curve{ends, join(pieces), {}};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Vector slopes = pieces[i].slopes * Eigen::Matrix<Real, 3, 1>(curve.y[i][0], curve.y[i][1], 1);
-    curve.slopes.emplace_back(collocation.to_legendre * slopes.reshaped(kStages, 2));
+    curve.slopes.emplace_back(collocation.to_legendre * slopes.reshaped(stages, 2));
   }
   return curve;
 }
@@ -144,7 +145,7 @@ std::vector<Real> halved(const Curve& curve) {
   std::vector<Real> ends = {0};
   for (std::size_t i = 0; i < curve.slopes.size(); ++i) {
     const Pair tail = curve.slopes[i].bottomRows(2).cwiseAbs().colwise().maxCoeff();
-    if ((tail.array() > kResolved * scale.array()).any()) ends.push_back((curve.ends[i] + curve.ends[i + 1]) / 2);
+    if ((tail.array() > resolved_tail * scale.array()).any()) ends.push_back((curve.ends[i] + curve.ends[i + 1]) / 2);
     ends.push_back(curve.ends[i + 1]);
   }
   return ends;
@@ -175,19 +176,19 @@ Reference compute_reference(const Problem& problem) {
   data.exact = nullptr;
   std::vector<Real> ends = make_panels(data, 1);
   auto curve = std::make_shared<Curve>(make_curve(problem, collocation, ends));
-  for (int round = 0; round < kDoublings; ++round) {
+  for (int round = 0; round < doublings; ++round) {
     const std::vector<Real> finer = halved(*curve);
-    if (finer.size() == ends.size() || finer.size() > kMostPieces) break;
+    if (finer.size() == ends.size() || finer.size() > most_pieces) break;
     ends = finer;
     *curve = make_curve(problem, collocation, ends);
   }
   const Curve check = make_curve(problem, collocation, all_halved(ends));
   const Real change = apart(check, *curve);
-  if (!(change < kMostChange))
-    throw ProblemError("f", std::string(kNotUnique) + ", or it is too steep: " + std::to_string(ends.size() - 1) +
-                                " panels of " + std::to_string(kStages) + " points do not resolve it");
+  if (!(change < most_change))
+    throw ProblemError("f", std::string(not_unique) + ", or it is too steep: " + std::to_string(ends.size() - 1) +
+                                " panels of " + std::to_string(stages) + " points do not resolve it");
   const int panels = static_cast<int>(ends.size()) - 1;
-  return {[curve = std::shared_ptr<const Curve>(curve)](Real x) { return curve->at(x); }, panels, kStages, change};
+  return {[curve = std::shared_ptr<const Curve>(curve)](Real x) { return curve->at(x); }, panels, stages, change};
 }
 
 }  // namespace sim::residual

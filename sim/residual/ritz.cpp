@@ -9,7 +9,7 @@
 namespace sim::residual {
 namespace {
 
-constexpr int kFejerPoints = 40;  // a panel: the degree that is exact is that of 20 Gauss points
+constexpr int fejer_points = 40;  // a panel: the degree that is exact is that of 20 Gauss points
 
 // F(c) = c.H c/2 - g.c
 struct Quadratic {
@@ -34,12 +34,12 @@ void add_point(const Problem& problem, Real x, Real weight, std::span<const Samp
 
 Answer ritz(const Problem& problem, const Basis& basis, int n) {
   const std::vector<Real> ends = make_panels(problem, n);
-  const Rule rule = fejer(kFejerPoints);
+  const Rule rule = fejer(fejer_points);
   Quadratic F{Matrix::Zero(n, n), Vector::Zero(n)};
   std::vector<Sample> u(n);
   for (std::size_t panel = 1; panel < ends.size(); ++panel) {
     const Real half = (ends[panel] - ends[panel - 1]) / 2;
-    for (int p = 0; p < kFejerPoints; ++p) {
+    for (int p = 0; p < fejer_points; ++p) {
       const Real x = ends[panel - 1] + half * (1 + rule.t[p]);
       basis.sample(x, u);
       add_point(problem, x, half * rule.weight[p], u, F);

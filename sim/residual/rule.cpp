@@ -8,7 +8,7 @@
 namespace sim::residual {
 namespace {
 
-constexpr Real kPi = std::numbers::pi_v<Real>;
+constexpr Real pi_real = std::numbers::pi_v<Real>;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Rule gauss_legendre(int n) {
   constexpr int steps = 8;  // quadratic convergence from two digits: five are enough
   Rule rule{Vector(n), Vector(n)};
   for (int j = 0; j < n; ++j) {
-    Real t = -std::cos(kPi * (j + Real(0.75)) / (n + Real(0.5)));
+    Real t = -std::cos(pi_real * (j + Real(0.75)) / (n + Real(0.5)));
     Legendre P = legendre(n, t);
     for (int k = 0; k < steps; ++k) {
       t -= P.value / P.slope;
@@ -35,7 +35,7 @@ Rule gauss_legendre(int n) {
 Rule fejer(int n) {
   Rule rule{Vector(n), Vector(n)};
   for (int j = 0; j < n; ++j) {
-    const Real theta = kPi * (2 * (n - j) - 1) / (2 * n);
+    const Real theta = pi_real * (2 * (n - j) - 1) / (2 * n);
     Real sum = 0;
     for (int m = 1; m <= n / 2; ++m) sum += std::cos(2 * m * theta) / (4 * m * m - 1);
     rule.t[j] = std::cos(theta);

@@ -11,8 +11,8 @@
 namespace sim {
 namespace {
 
-constexpr int kLinePoints = 12;    // degree 23 along each direction
-constexpr int kLatticeCells = 40;  // along an edge
+constexpr int line_points = 12;    // degree 23 along each direction
+constexpr int lattice_cells = 40;  // along an edge
 
 template <class E>
 constexpr bool is_triangle = E::corners == 3;
@@ -21,10 +21,10 @@ constexpr bool is_triangle = E::corners == 3;
 // dt' dt.
 template <class E>
 std::vector<QuadraturePoint<2>> fine_rule() {
-  const residual::Rule line = residual::gauss_legendre(kLinePoints);
+  const residual::Rule line = residual::gauss_legendre(line_points);
   std::vector<QuadraturePoint<2>> rule;
-  for (int i = 0; i < kLinePoints; ++i)
-    for (int j = 0; j < kLinePoints; ++j) {
+  for (int i = 0; i < line_points; ++i)
+    for (int j = 0; j < line_points; ++j) {
       const auto t = static_cast<double>(line.t[i]), other = static_cast<double>(line.t[j]);
       const auto weight = static_cast<double>(line.weight[i] * line.weight[j]);
       const double r = (1 + t) / 2, s = (1 - r) * (1 + other) / 2;
@@ -41,9 +41,9 @@ std::vector<QuadraturePoint<2>> fine_rule() {
 template <class E>
 std::vector<std::array<double, 2>> lattice() {
   std::vector<std::array<double, 2>> points;
-  for (int i = 0; i <= kLatticeCells; ++i)
-    for (int j = 0; j <= (is_triangle<E> ? kLatticeCells - i : kLatticeCells); ++j) {
-      const double r = double(i) / kLatticeCells, s = double(j) / kLatticeCells;
+  for (int i = 0; i <= lattice_cells; ++i)
+    for (int j = 0; j <= (is_triangle<E> ? lattice_cells - i : lattice_cells); ++j) {
+      const double r = double(i) / lattice_cells, s = double(j) / lattice_cells;
       points.push_back(is_triangle<E> ? std::array{r, s} : std::array{2 * r - 1, 2 * s - 1});
     }
   return points;

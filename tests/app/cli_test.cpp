@@ -169,7 +169,7 @@ TEST(CommandLine, AloneItPrintsTheHelp) {
 TEST(CommandLine, TheVersionTellsWhatDraws) {
   const Result result = parse({"--version"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_TRUE(result.out.starts_with("ritz " + std::string(kVersion) + "\n")) << result.out;
+  EXPECT_TRUE(result.out.starts_with("ritz " + std::string(ritz_version) + "\n")) << result.out;
   for (const render::OffscreenKind& kind : render::offscreen_kinds()) {
     EXPECT_NE(result.out.find(std::string(kind.name) + ": "), std::string::npos) << result.out;
   }

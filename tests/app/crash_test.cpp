@@ -18,7 +18,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kScene = R"(
+constexpr const char* crash_scene = R"(
 [time]
 seconds = 120
 fps = 1
@@ -32,7 +32,7 @@ spin = { rate = 1 }
 
 class Crash : public testing::Test {
  protected:
-  Crash() { write_all(folder_ / "scene.toml", kScene); }
+  Crash() { write_all(folder_ / "scene.toml", crash_scene); }
 
   Options options(const std::string& out) const {
     Options options;
@@ -72,7 +72,7 @@ class Crash : public testing::Test {
 // The state file is rewritten after every simulated second, here after every step: whenever the process is killed, the
 // file is a whole one, and the run goes on to the same end.
 TEST_F(Crash, KilledAtAnyMomentItGoesOnToTheSameEnd) {
-  ASSERT_EQ(in_child([&] { return run(options("straight")); }), kDone);
+  ASSERT_EQ(in_child([&] { return run(options("straight")); }), exit_done);
   const std::string end = read_all(folder_ / "straight/state.bin");
   std::mt19937 random(5);
   int killed = 0;
@@ -88,7 +88,7 @@ TEST_F(Crash, KilledAtAnyMomentItGoesOnToTheSameEnd) {
                          kill(child, SIGKILL);
                        }) == -SIGKILL;
     EXPECT_NO_THROW(read_state_file(state)) << delay;
-    ASSERT_EQ(in_child([&] { return run(resumed(out)); }), kDone) << delay;
+    ASSERT_EQ(in_child([&] { return run(resumed(out)); }), exit_done) << delay;
     EXPECT_EQ(read_all(state), end) << delay;
   }
   EXPECT_GT(killed, 4);
@@ -98,7 +98,7 @@ TEST_F(Crash, KilledAtAnyMomentItGoesOnToTheSameEnd) {
 TEST_F(Crash, WithoutRoomTheLastStateStays) {
   Options first = options("out");
   first.overrides.push_back({"time.seconds", "5", "--seconds 5"});
-  ASSERT_EQ(in_child([&] { return run(first); }), kDone);
+  ASSERT_EQ(in_child([&] { return run(first); }), exit_done);
   const std::string before = read_all(folder_ / "out/state.bin");
   const int code = in_child([&] {
     const rlimit limit{before.size() - 1, before.size() - 1};
@@ -111,7 +111,7 @@ TEST_F(Crash, WithoutRoomTheLastStateStays) {
   });
   EXPECT_EQ(code, 55);
   EXPECT_EQ(read_all(folder_ / "out/state.bin"), before);
-  EXPECT_EQ(in_child([&] { return run(resumed("out")); }), kDone);
+  EXPECT_EQ(in_child([&] { return run(resumed("out")); }), exit_done);
 }
 
 TEST_F(Crash, AFolderThatCannotBeMadeOrWrittenIsNamed) {

@@ -18,22 +18,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kTop = RITZ_SOURCE_DIR;
+const fs::path source_tree = RITZ_SOURCE_DIR;
 
 // Every file of the repository with one of these extensions.
 std::vector<fs::path> files(const std::set<std::string>& extensions) {
   std::vector<fs::path> all;
-  for (const auto& entry : fs::directory_iterator(kTop))
+  for (const auto& entry : fs::directory_iterator(source_tree))
     if (entry.is_regular_file() && extensions.contains(entry.path().extension())) all.push_back(entry.path());
   for (const char* const folder : {"app", "sim", "render", "assets", "tests"})
-    for (const auto& entry : fs::recursive_directory_iterator(kTop / folder))
+    for (const auto& entry : fs::recursive_directory_iterator(source_tree / folder))
       if (extensions.contains(entry.path().extension())) all.push_back(entry.path());
   std::ranges::sort(all);
   return all;
 }
 
 std::string name_of(const fs::path& file) {
-  return fs::relative(file, kTop).string();
+  return fs::relative(file, source_tree).string();
 }
 
 void for_each_match(const std::string& text, const std::regex& pattern,
@@ -83,14 +83,14 @@ TEST(Documents, EveryRelativeLinkLeadsSomewhere) {
 }
 
 // Paths from the top of the repository, "sim/mesh/tangle.h". What has a star or a brace stands for several.
-const std::regex kPath(R"((?:^|[\s`"(\[])((?:app|sim|render|assets|tests)/[A-Za-z0-9_./*{}-]+))");
+const std::regex path_pattern(R"((?:^|[\s`"(\[])((?:app|sim|render|assets|tests)/[A-Za-z0-9_./*{}-]+))");
 
 void expect_to_exist(const fs::path& file, const std::string& text) {
-  for_each_match(text, kPath, [&](const std::smatch& found) {
+  for_each_match(text, path_pattern, [&](const std::smatch& found) {
     std::string path = found[1];
     if (path.find_first_of("*{}") != std::string::npos) return;
     while (path.ends_with('.') || path.ends_with('-')) path.pop_back();
-    EXPECT_TRUE(fs::exists(kTop / path)) << name_of(file) << " names " << path;
+    EXPECT_TRUE(fs::exists(source_tree / path)) << name_of(file) << " names " << path;
   });
 }
 
@@ -106,7 +106,7 @@ TEST(Documents, EveryPathInACommentExists) {
 
 // "[mathematics.md 7]", or with the end of a line of comment in between.
 TEST(Documents, CommentsCiteSectionsOfTheMathematicsThatThereAre) {
-  const std::string mathematics = read_all(kTop / "sim/mathematics.md");
+  const std::string mathematics = read_all(source_tree / "sim/mathematics.md");
   static const std::regex citation(R"(mathematics\.md[\s/,]+(\d+))");
   int citations = 0;
   for (const fs::path& source : files({".h", ".cpp"})) {
@@ -121,7 +121,7 @@ TEST(Documents, CommentsCiteSectionsOfTheMathematicsThatThereAre) {
 
 // What a newcomer reads in five minutes; more belongs beside what it describes.
 TEST(Documents, ReadmeIsShort) {
-  EXPECT_LE(std::ranges::count(read_all(kTop / "README.md"), '\n'), 180);
+  EXPECT_LE(std::ranges::count(read_all(source_tree / "README.md"), '\n'), 180);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ target = [0.3, 0.3, 0]
 )");
     write_all(folder_ / "tet.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
     write_all(folder_ / "tet.ele", "1 4 0\n0 0 1 2 3\n");
-    EXPECT_EQ(record(options("stored")), kDone);
+    EXPECT_EQ(record(options("stored")), exit_done);
   }
 
   Options options(const std::string& out) const {
@@ -51,7 +51,7 @@ target = [0.3, 0.3, 0]
 };
 
 TEST_F(Expect, TheSameFramesAreAsExpected) {
-  EXPECT_EQ(record(expecting("again")), kDone);
+  EXPECT_EQ(record(expecting("again")), exit_done);
   EXPECT_FALSE(fs::exists(folder_ / "again/differences"));
   EXPECT_TRUE(table("again").starts_with("frame,largest_difference,share,verdict\n0,0,0,equal\n1,0,0,equal\n"));
 }
@@ -59,7 +59,7 @@ TEST_F(Expect, TheSameFramesAreAsExpected) {
 TEST_F(Expect, OtherFramesAreShownAndExitWithFour) {
   Options moved = expecting("moved");
   moved.overrides = {{"body.0.velocity", "[1, 0, 0]", "test"}};
-  EXPECT_EQ(record(moved), kFramesDiffer);
+  EXPECT_EQ(record(moved), exit_frames_differ);
   EXPECT_FALSE(fs::exists(folder_ / "moved/differences/frame_00000.png"));  // frame 0 is the same
   const render::Image picture = render::decode_png(read_all(folder_ / "moved/differences/frame_00002.png"));
   EXPECT_EQ(picture.width, 64);
@@ -68,25 +68,25 @@ TEST_F(Expect, OtherFramesAreShownAndExitWithFour) {
   EXPECT_TRUE(fs::exists(folder_ / "moved/frames/frame_00003.png"));  // what was drawn is there as ever
   moved.out = folder_ / "tolerant";
   moved.expect_share = 1;
-  EXPECT_EQ(record(moved), kDone);
+  EXPECT_EQ(record(moved), exit_done);
 }
 
 TEST_F(Expect, OnlyStoredFramesAreCompared) {
   fs::remove(folder_ / "stored/frames/frame_00001.png");
   write_all(folder_ / "stored/frames/notes.txt", "frames of last week");
-  EXPECT_EQ(record(expecting("fewer")), kDone);
+  EXPECT_EQ(record(expecting("fewer")), exit_done);
   EXPECT_EQ(table("fewer").find("\n1,"), std::string::npos);
   // What was stored and is not drawn is missing.
   Options still = expecting("still");
   still.still = true;
-  EXPECT_EQ(record(still), kFramesDiffer);
+  EXPECT_EQ(record(still), exit_frames_differ);
   EXPECT_NE(table("still").find("0,0,0,not drawn"), std::string::npos) << table("still");
 }
 
 TEST_F(Expect, AnotherSizeIsADifference) {
   Options larger = expecting("larger");
   larger.width = 80;
-  EXPECT_EQ(record(larger), kFramesDiffer);
+  EXPECT_EQ(record(larger), exit_frames_differ);
 }
 
 TEST_F(Expect, WhatCannotBeComparedIsSaid) {

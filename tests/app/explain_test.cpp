@@ -12,7 +12,7 @@ class Explain : public SessionScene {
  protected:
   static std::string said(const Options& options) {
     testing::internal::CaptureStdout();
-    EXPECT_EQ(explain(options), kDone);
+    EXPECT_EQ(explain(options), exit_done);
     return testing::internal::GetCapturedStdout();
   }
   // What is said behind a name, to the end of its line.
@@ -58,7 +58,7 @@ TEST_F(Explain, SaysMemoryInTheUnitThatFitsIt) {
   const auto bytes_said = [](const std::string& text) {
     const std::string memory = said(text, "memory"), about = "about ";
     EXPECT_TRUE(memory.starts_with(about)) << memory;
-    return std::stod(memory.substr(about.size())) * (memory.ends_with(" kB") ? 1e3 : memory.ends_with(" MB") ? 1e6 : 0);
+    return std::stod(memory.substr(about.size())) * (memory.ends_with(" b") ? 1e3 : memory.ends_with(" MB") ? 1e6 : 0);
   };
   for (const Options& size : {options(), with("body.0.mesh.cells", "[16, 8, 8]")}) {
     const auto bytes = static_cast<double>(build_simulation(size).system->counts().bytes);
@@ -101,7 +101,7 @@ TEST(ExplainKeys, PrintsTheReferenceAndReadsNoScene) {
   keys.scene = "there is no such file";
   keys.keys = true;
   testing::internal::CaptureStdout();
-  EXPECT_EQ(explain(keys), kDone);
+  EXPECT_EQ(explain(keys), exit_done);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), key_reference_markdown());
   keys.keys = false;
   EXPECT_NE(error_of([&] { explain(keys); }), "");

@@ -103,14 +103,14 @@ TEST_P(GoldenLook, IsDrawnAsStored) {
   options.context = context;
   if (store()) {
     if (context != context_names().front()) GTEST_SKIP() << "the first one stores";
-    ASSERT_EQ(record(options), kDone);
+    ASSERT_EQ(record(options), exit_done);
     fs::remove_all(stored(golden));
     fs::copy(temporary / "run/frames", stored(golden), fs::copy_options::recursive);
     GTEST_SKIP() << "stored in " << stored(golden);
   }
   options.expect = stored(golden);
   options.expect_share = 0.01;  // software rasterisers differ between processors
-  EXPECT_EQ(record(options), kDone) << golden.name;
+  EXPECT_EQ(record(options), exit_done) << golden.name;
   const std::string json = read_all(temporary / "run/run.json");
   EXPECT_NE(json.find("\"context\": \"" + context + "\""), std::string::npos) << json;
 }

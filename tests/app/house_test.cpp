@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kTop = RITZ_SOURCE_DIR;
+const fs::path source_tree = RITZ_SOURCE_DIR;
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file);
@@ -28,7 +28,7 @@ std::string text_of(const fs::path& file) {
 // The rooms of "app/" or "sim/" from bottom to top, as the map in README.md has them: "app/  base < options < ...".
 std::vector<std::string> rooms_of(const std::string& house) {
   std::vector<std::string> rooms;
-  std::istringstream readme(text_of(kTop / "README.md"));
+  std::istringstream readme(text_of(source_tree / "README.md"));
   bool inside = false;
   for (std::string line; std::getline(readme, line);) {
     if (line.starts_with("    ")) line.erase(0, 4);
@@ -62,9 +62,9 @@ std::vector<std::string> includes_of(const fs::path& file) {
 
 template <class F>
 void for_each_source(const std::string& house, const F& f) {
-  for (const auto& entry : fs::recursive_directory_iterator(kTop / house)) {
+  for (const auto& entry : fs::recursive_directory_iterator(source_tree / house)) {
     const std::string extension = entry.path().extension();
-    if (extension == ".cpp" || extension == ".h") f(fs::relative(entry.path(), kTop).string(), entry.path());
+    if (extension == ".cpp" || extension == ".h") f(fs::relative(entry.path(), source_tree).string(), entry.path());
   }
 }
 
@@ -132,7 +132,7 @@ TEST(House, FilesOfAFolderShareNoNamesOfTheirOwn) {
 
 TEST(House, TheTopLevelHasNoOtherEntries) {
   const std::vector<std::string> allowed = {"app", "sim", "render", "assets", "tests", "CMakeLists.txt", "README.md"};
-  for (const auto& entry : fs::directory_iterator(kTop)) {
+  for (const auto& entry : fs::directory_iterator(source_tree)) {
     const std::string name = entry.path().filename();
     if (name.starts_with(".") || name.starts_with("build") || name == "out") continue;
     EXPECT_NE(std::ranges::find(allowed, name), allowed.end()) << name;

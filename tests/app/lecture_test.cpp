@@ -15,7 +15,7 @@
 namespace app {
 namespace {
 
-const std::filesystem::path kDeck = std::filesystem::path(RITZ_SOURCE_DIR) / "assets" / "lectures";
+const std::filesystem::path deck_folder = std::filesystem::path(RITZ_SOURCE_DIR) / "assets" / "lectures";
 
 Options page(const std::filesystem::path& file) {
   Options options;
@@ -57,7 +57,7 @@ std::string text_of(const render::Sheet& sheet, const std::string& name) {
 }
 
 TEST(LecturePages, AreSmallAndSayWhatTheyProve) {
-  const std::vector<std::filesystem::path> pages = pages_of(kDeck);
+  const std::vector<std::filesystem::path> pages = pages_of(deck_folder);
   EXPECT_GE(pages.size(), 8U);
   for (const std::filesystem::path& file : pages) {
     SCOPED_TRACE(file.filename());
@@ -86,7 +86,7 @@ TEST(LecturePages, AreSmallAndSayWhatTheyProve) {
 
 // The storyboard's numbers, as they are printed.
 TEST(LecturePages, ShowTheNumbersThatProveThem) {
-  const render::Sheet xray = sheets(kDeck / "09-x-ray.toml", 1)[0];
+  const render::Sheet xray = sheets(deck_folder / "09-x-ray.toml", 1)[0];
   EXPECT_EQ(text_of(xray, "F11"), "1.2000");
   EXPECT_EQ(text_of(xray, "F12"), "-0.3333");
   EXPECT_EQ(text_of(xray, "J"), "1.4300");
@@ -94,29 +94,29 @@ TEST(LecturePages, ShowTheNumbersThatProveThem) {
   EXPECT_EQ(text_of(xray, "P11"), "48.439");
   EXPECT_EQ(text_of(xray, "f12"), "-39.80");
   EXPECT_EQ(text_of(xray, "torque"), "0.000");
-  const render::Sheet mass = sheets(kDeck / "08-mass-lumping.toml", 1)[0];
+  const render::Sheet mass = sheets(deck_folder / "08-mass-lumping.toml", 1)[0];
   EXPECT_EQ(text_of(mass, "exact"), "27.6699");
   EXPECT_EQ(text_of(mass, "consistent.error"), "+7.92");
   EXPECT_EQ(text_of(mass, "lumped.error"), "-7.69");
   EXPECT_EQ(text_of(mass, "consistent.limit"), "4.6303");
   EXPECT_EQ(text_of(mass, "lumped.limit"), "7.9439");
-  const render::Sheet limit = sheets(kDeck / "11-explicit-and-implicit.toml", 1)[0];
+  const render::Sheet limit = sheets(deck_folder / "11-explicit-and-implicit.toml", 1)[0];
   EXPECT_EQ(text_of(limit, "limit"), "5.5731");
   EXPECT_EQ(text_of(limit, "growth"), "1.3266");
-  const render::Sheet newton = sheets(kDeck / "12-definiteness.toml", 145).back();
+  const render::Sheet newton = sheets(deck_folder / "12-definiteness.toml", 145).back();
   EXPECT_EQ(text_of(newton, "none.end"), "maximum");
   EXPECT_EQ(text_of(newton, "abs.end"), "minimum");
   EXPECT_EQ(text_of(newton, "abs.steps"), "8");
   EXPECT_EQ(text_of(newton, "clamp.end"), "K = 0: stuck");
-  const render::Sheet hills = sheets(kDeck / "02-shape-functions.toml", 1)[0];
+  const render::Sheet hills = sheets(deck_folder / "02-shape-functions.toml", 1)[0];
   EXPECT_EQ(text_of(hills, "sum"), "1.000000");
-  const render::Sheet order = sheets(kDeck / "03-interpolation.toml", 65).back();
+  const render::Sheet order = sheets(deck_folder / "03-interpolation.toml", 65).back();
   EXPECT_EQ(text_of(order, "order"), "1.99");
 }
 
 // Other materials, other numbers: the torque of a triangle that is not rotation invariant.
 TEST(LecturePages, FollowTheSceneThatTheyAreGiven) {
-  Options options = page(kDeck / "09-x-ray.toml");
+  Options options = page(deck_folder / "09-x-ray.toml");
   options.overrides = {{"body.0.material.model", "linear", "--set"}};
   const Simulation simulation = build_simulation(options);
   render::Sheet sheet;
@@ -159,10 +159,10 @@ class LectureRuns : public testing::Test {
 };
 
 TEST_F(LectureRuns, NumbersCsvHoldsWhatTheFramesShow) {
-  Options options = page(kDeck / "10-force-algorithm.toml");
+  Options options = page(deck_folder / "10-force-algorithm.toml");
   options.out = folder_ / "run";
   options.overrides = {{"time.seconds", "1.0", "--seconds"}};
-  ASSERT_EQ(run(options), kDone);
+  ASSERT_EQ(run(options), exit_done);
   const auto written = numbers(folder_ / "run/numbers.csv");
   std::size_t rows = 0;
   const std::vector<render::Sheet> shown = sheets(options.scene, 31);
@@ -178,7 +178,7 @@ TEST_F(LectureRuns, NumbersCsvHoldsWhatTheFramesShow) {
 
 // A corner of the x-ray is dragged until the triangle is turned over; the replay writes the numbers that were seen.
 TEST_F(LectureRuns, ADragIsAnInputOfTheSession) {
-  Options options = page(kDeck / "09-x-ray.toml");
+  Options options = page(deck_folder / "09-x-ray.toml");
   options.log = folder_ / "session.toml";
   constexpr int width = 640, height = 360;
   Workbench bench(options, std::make_unique<Session>(options));
@@ -201,14 +201,14 @@ TEST_F(LectureRuns, ADragIsAnInputOfTheSession) {
   Options again = page(options.scene);
   again.replay = options.log;
   again.out = folder_ / "replayed";
-  ASSERT_EQ(record(again), kDone);
+  ASSERT_EQ(record(again), exit_done);
   const auto written = numbers(folder_ / "replayed/numbers.csv");
   for (const render::Number& number : render::numbers_of(seen)) EXPECT_EQ(written.at("1," + number.name), number.text);
 }
 
 TEST_F(LectureRuns, PagesAreTurned) {
-  Options options = page(kDeck);
-  options.deck = pages_of(kDeck);
+  Options options = page(deck_folder);
+  options.deck = pages_of(deck_folder);
   options.scene = options.deck.front();
   Workbench bench(options, std::make_unique<Session>(options));
   const auto key = [&](render::Key key) {
@@ -233,7 +233,7 @@ TEST_F(LectureRuns, AFolderIsRecordedPageByPage) {
   write_all(folder_ / "deck/README.md", "words");
   Options options = page(folder_ / "deck");
   options.out = folder_ / "out";
-  ASSERT_EQ(record(options), kDone);
+  ASSERT_EQ(record(options), exit_done);
   for (const char* name : {"1", "2"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / name / "frames/frame_00002.png"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/README"));

@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kProbe = "[[probe]]\nname = \"tip\"\nbody = \"beam\"\nat = [2, 0.5, 0.5]\n";
+constexpr const char* tip_probe = "[[probe]]\nname = \"tip\"\nbody = \"beam\"\nat = [2, 0.5, 0.5]\n";
 
 class OutcomeTest : public SessionScene {
  protected:
@@ -18,7 +18,7 @@ class OutcomeTest : public SessionScene {
 
   // A scene with a probe, and a run of it that has come to step 8 without a word.
   OutcomeTest() {
-    write_all(folder_ / "probed.toml", std::string(kSessionBeam) + kProbe + "reference = [0.02, 0, -0.05]\n");
+    write_all(folder_ / "probed.toml", std::string(session_beam) + tip_probe + "reference = [0.02, 0, -0.05]\n");
     simulation_ = build_simulation(options("probed.toml"));
     outcome_.status = Status::done;
     outcome_.run.state = simulation_.system->initial_state();
@@ -95,7 +95,7 @@ TEST(OutcomeAdd, AStepThatCannotBeTakenIsNotCounted) {
 
 TEST_F(OutcomeTest, NothingIsSaidOfARunThatWentWell) {
   const Said said = concluded();
-  EXPECT_EQ(said.code, kDone);
+  EXPECT_EQ(said.code, exit_done);
   EXPECT_EQ(said.err, "");
 }
 
@@ -104,7 +104,7 @@ TEST_F(OutcomeTest, EachTroubleHasItsNote) {
     outcome_ = trouble;
     EXPECT_EQ(concluded(true).err, "") << "quiet";
     const Said said = concluded();
-    EXPECT_EQ(said.code, kDone) << "the run went on";
+    EXPECT_EQ(said.code, exit_done) << "the run went on";
     return said.err;
   };
   const Outcome smooth = outcome_;
@@ -135,7 +135,7 @@ TEST_F(OutcomeTest, AProbeWithAReferenceSaysHowFarItIsFromIt) {
 TEST_F(OutcomeTest, AnInterruptedRunSaysHowItIsGoneOnWith) {
   outcome_.status = Status::interrupted;
   const Said said = concluded(true);
-  EXPECT_EQ(said.code, kInterrupted);
+  EXPECT_EQ(said.code, exit_interrupted);
   EXPECT_EQ(said.err, "ritz: interrupted after step 8 of 20; go on with --resume " + (folder_ / "out").string() + "\n");
 }
 
@@ -146,12 +146,12 @@ TEST_F(OutcomeTest, AFailedRunSaysWhereWhyAndWhatIsSaved) {
   outcome_.failure.failure = "the forces are not finite";
   const std::string saved = "\n      the last good state is saved in " + (folder_ / "out/state.bin").string() + "\n";
   Said said = concluded(true);
-  EXPECT_EQ(said.code, kNumericalFailure);
+  EXPECT_EQ(said.code, exit_numerical_failure);
   EXPECT_EQ(said.err, "ritz: step 9, t = 0.225 s, element 17: the forces are not finite" + saved);
   outcome_.failure = {};
   outcome_.error = "frame_00003.png: No space left on device";
   said = concluded(true);
-  EXPECT_EQ(said.code, kNumericalFailure);
+  EXPECT_EQ(said.code, exit_numerical_failure);
   EXPECT_EQ(said.err, "ritz: frame_00003.png: No space left on device" + saved);
 }
 

@@ -19,7 +19,7 @@
 namespace app {
 namespace {
 
-constexpr int kWidth = 340, kHeight = 640;
+constexpr int frame_width = 340, frame_height = 640;
 
 // A panel of a session, with a mouse that is moved by hand.
 struct Desk {
@@ -36,8 +36,8 @@ struct Desk {
   render::Image draw() {
     const PanelState state{session.document(),  *session.simulation()->system, session.waiting(), samples, 0,
                            session.state().step};
-    return gui.picture(kWidth, kHeight, [&] {
-      const PanelRequests now = panel.draw(state, kWidth, kHeight);
+    return gui.picture(frame_width, frame_height, [&] {
+      const PanelRequests now = panel.draw(state, frame_width, frame_height);
       requests.actions.insert(requests.actions.end(), now.actions.begin(), now.actions.end());
       requests.changes.insert(requests.changes.end(), now.changes.begin(), now.changes.end());
     });
@@ -64,13 +64,13 @@ class PanelTest : public SceneFile {
  protected:
   Options options() const {
     Options options;
-    options.scene = file("scene.toml", kBeam);
+    options.scene = file("scene.toml", beam_scene);
     return options;
   }
 };
 
 TEST_F(PanelTest, HasAnEntryForEveryKeyOfTheScene) {
-  const Document document = load(kBeam);
+  const Document document = load(beam_scene);
   std::map<std::string, int> entries;
   for (const Section& section : sections(document)) {
     EXPECT_FALSE(section.title.empty());
@@ -94,7 +94,7 @@ TEST_F(PanelTest, ButtonsAskForWhatTheySay) {
   Desk desk(options());
   desk.draw();
   for (const float y : {20.0F, 45.0F}) {
-    for (float x = 12; x < kWidth; x += 10) {
+    for (float x = 12; x < frame_width; x += 10) {
       desk.move(x, y);
       desk.press(true);
       desk.press(false);
@@ -114,7 +114,7 @@ TEST_F(PanelPicture, LooksAsItDid) {
   recorded.width = 640;
   recorded.height = 360;
   recorded.panel = recorded.still = true;
-  ASSERT_EQ(record(recorded), kDone);
+  ASSERT_EQ(record(recorded), exit_done);
   const std::filesystem::path golden = std::filesystem::path(RITZ_SOURCE_DIR) / "tests/data/golden/panel.png";
   const render::Image stored = render::decode_png(read_all(golden));
   const auto differs = [&](const std::string& frame) {
@@ -124,7 +124,7 @@ TEST_F(PanelPicture, LooksAsItDid) {
   // Another value is another picture.
   recorded.out = folder_ / "other";
   recorded.overrides = {{"body.0.material.young", "1e3", "test"}};
-  ASSERT_EQ(record(recorded), kDone);
+  ASSERT_EQ(record(recorded), exit_done);
   EXPECT_GT(differs("other/frames/frame_00010.png"), 0.01);
 }
 

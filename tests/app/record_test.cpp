@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kRecordedBeam = R"(
+constexpr const char* recorded_beam = R"(
 title = "beam"
 [time]
 seconds = 0.4
@@ -34,7 +34,7 @@ at = [2, 0.5, 0.5]
 // A scene in a folder of its own, and the options of a small recording of it.
 class Record : public testing::Test {
  protected:
-  Record() { write_all(scene(), kRecordedBeam); }
+  Record() { write_all(scene(), recorded_beam); }
 
   std::filesystem::path scene() const { return folder_ / "beam.toml"; }
 
@@ -104,7 +104,7 @@ bool json_says(const std::filesystem::path& folder, const std::string& text) {
 }
 
 TEST_F(Record, LeavesFramesOnTimeAndARowPerStep) {
-  ASSERT_EQ(record(options("out")), kDone);
+  ASSERT_EQ(record(options("out")), exit_done);
   const std::vector<std::string> frames = {"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png",
                                            "frame_00004.png"};
   EXPECT_EQ(names_in(folder_ / "out/frames"), frames);
@@ -126,64 +126,64 @@ TEST_F(Record, LeavesFramesOnTimeAndARowPerStep) {
 TEST_F(Record, EveryAndStillChooseFramesWithoutRenumberingThem) {
   Options every = options("every");
   every.every = 2;
-  ASSERT_EQ(record(every), kDone);
+  ASSERT_EQ(record(every), exit_done);
   EXPECT_EQ(names_in(folder_ / "every/frames"),
             (std::vector<std::string>{"frame_00000.png", "frame_00002.png", "frame_00004.png"}));
   Options still = options("still");
   still.still = true;
-  ASSERT_EQ(record(still), kDone);
+  ASSERT_EQ(record(still), exit_done);
   EXPECT_EQ(names_in(folder_ / "still/frames"), (std::vector<std::string>{"frame_00004.png"}));
   EXPECT_EQ(read_all(folder_ / "still/frames/frame_00004.png"), read_all(folder_ / "every/frames/frame_00004.png"));
 }
 
 TEST_F(Record, NothingIsOverwrittenUnlessAskedAndThenNothingOldRemains) {
-  ASSERT_EQ(record(options("out")), kDone);
+  ASSERT_EQ(record(options("out")), exit_done);
   const std::string before = read_all(folder_ / "out/frames/frame_00001.png");
   const Options shorter = with(with(options("out"), "time.seconds", "0.2"), "look.wireframe", "true");
   EXPECT_NE(error_of([&] { record(shorter); }).find("--overwrite"), std::string::npos);
   EXPECT_EQ(read_all(folder_ / "out/frames/frame_00001.png"), before);
   Options forced = shorter;
   forced.overwrite = true;
-  ASSERT_EQ(record(forced), kDone);
+  ASSERT_EQ(record(forced), exit_done);
   EXPECT_EQ(names_in(folder_ / "out/frames").size(), 3U);
   EXPECT_NE(read_all(folder_ / "out/frames/frame_00001.png"), before);
 }
 
 TEST_F(Record, RunLeavesTheSameNumbersAndNoPicture) {
-  ASSERT_EQ(record(options("recorded")), kDone);
-  ASSERT_EQ(run(options("run")), kDone);
+  ASSERT_EQ(record(options("recorded")), exit_done);
+  ASSERT_EQ(run(options("run")), exit_done);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "run/frames"));
   expect_same_run(folder_ / "run", folder_ / "recorded");
 }
 
 TEST_F(Record, TheRunFolderReproducesItself) {
-  ASSERT_EQ(record(options("out")), kDone);
+  ASSERT_EQ(record(options("out")), exit_done);
   Options again = options("again");
   again.scene = folder_ / "out/run.toml";
-  ASSERT_EQ(record(again), kDone);
+  ASSERT_EQ(record(again), exit_done);
   expect_same_run(folder_ / "out", folder_ / "again");
 }
 
 TEST_F(Record, ThreadsDoNotChangeABit) {
   // Large enough for two threads (useful_threads in sim/stepper.cpp).
   const auto fine = [&](const std::string& out) { return with(options(out), "body.0.mesh.cells", "[16, 8, 8]"); };
-  ASSERT_EQ(run(fine("one")), kDone);
+  ASSERT_EQ(run(fine("one")), exit_done);
   Options two = fine("two");
   two.threads = 2;
-  ASSERT_EQ(run(two), kDone);
+  ASSERT_EQ(run(two), exit_done);
   expect_same_run(folder_ / "one", folder_ / "two");
 }
 
 TEST_F(Record, ResumedEqualsStraight) {
-  ASSERT_EQ(record(options("straight")), kDone);
-  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), kDone);
-  ASSERT_EQ(record(resumed(options("parts"))), kDone);
+  ASSERT_EQ(record(options("straight")), exit_done);
+  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), exit_done);
+  ASSERT_EQ(record(resumed(options("parts"))), exit_done);
   expect_same_run(folder_ / "straight", folder_ / "parts");
   EXPECT_TRUE(json_says(folder_ / "parts", "\"resumed_from_step\": 4"));
 }
 
 TEST_F(Record, FramesThatAreGoneOnWithKeepTheirSize) {
-  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), kDone);
+  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), exit_done);
   Options larger = resumed(options("parts"));
   const std::string size = std::to_string(larger.width) + "x" + std::to_string(larger.height);
   larger.width += 16;
@@ -196,10 +196,10 @@ TEST_F(Record, ResumedKeepsColoursAndEnergies) {
     return with(with(options(out), "look.colour", "\"stress\""), "look.energies", "true");
   };
   const auto kicked = [&](const Options& options) { return with(options, "body.0.velocity", "[0, 0, 8]"); };
-  ASSERT_EQ(record(kicked(shown("straight"))), kDone);
-  ASSERT_EQ(record(with(kicked(shown("parts")), "time.seconds", "0.2")), kDone);
-  ASSERT_EQ(run(kicked(resumed(with(shown("parts"), "time.seconds", "0.3")))), kDone);  // without pictures as well
-  ASSERT_EQ(record(kicked(resumed(shown("parts")))), kDone);
+  ASSERT_EQ(record(kicked(shown("straight"))), exit_done);
+  ASSERT_EQ(record(with(kicked(shown("parts")), "time.seconds", "0.2")), exit_done);
+  ASSERT_EQ(run(kicked(resumed(with(shown("parts"), "time.seconds", "0.3")))), exit_done);  // without pictures as well
+  ASSERT_EQ(record(kicked(resumed(shown("parts")))), exit_done);
   EXPECT_EQ(read_all(folder_ / "straight/state.bin"), read_all(folder_ / "parts/state.bin"));
   EXPECT_EQ(read_all(folder_ / "straight/frames/frame_00004.png"), read_all(folder_ / "parts/frames/frame_00004.png"));
   // The range has grown, and stays: the same moment in a run of its own, which has seen nothing else, looks other.
@@ -208,28 +208,28 @@ TEST_F(Record, ResumedKeepsColoursAndEnergies) {
 
 // What a killed run leaves beyond its last state.bin is replaced when it goes on.
 TEST_F(Record, WhatIsBeyondTheSavedStateIsReplaced) {
-  ASSERT_EQ(record(options("straight")), kDone);
-  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), kDone);
+  ASSERT_EQ(record(options("straight")), exit_done);
+  ASSERT_EQ(record(with(options("parts"), "time.seconds", "0.2")), exit_done);
   std::ofstream(folder_ / "parts/steps.csv", std::ios::app) << "5,0.25,1,2,3,4,5,6,7,8,9,1,1,1,0.1\n6,0.3,1,2";
   std::ofstream(folder_ / "parts/probes.csv", std::ios::app) << "0.25,1,2,3\n";
   write_all(folder_ / "parts/frames/frame_00003.png", "half a frame");
   write_all(folder_ / "parts/state.bin.tmp", "half a state");
-  ASSERT_EQ(record(resumed(options("parts"))), kDone);
+  ASSERT_EQ(record(resumed(options("parts"))), exit_done);
   expect_same_run(folder_ / "straight", folder_ / "parts");
 }
 
 TEST_F(Record, TheStateOfAnotherSceneIsRefused) {
-  ASSERT_EQ(run(with(options("out"), "time.seconds", "0.2")), kDone);
+  ASSERT_EQ(run(with(options("out"), "time.seconds", "0.2")), exit_done);
   const Options softer = with(resumed(options("out")), "body.0.material.young", "9e4");
   EXPECT_NE(error_of([&] { run(softer); }).find("is the state of another scene"), std::string::npos);
   const Options seen = with(resumed(options("out")), "look.colour", "stress");  // another look is the same scene
-  EXPECT_EQ(run(seen), kDone);
+  EXPECT_EQ(run(seen), exit_done);
 }
 
 TEST_F(Record, AnInterruptedRunIsWholeAndGoesOnToTheSameEnd) {
   const Options endless = with(options("out"), "time.seconds", "3000");
   std::thread interrupter = interrupt_when_there(folder_ / "out/frames/frame_00003.png");
-  EXPECT_EQ(record(endless), kInterrupted);
+  EXPECT_EQ(record(endless), exit_interrupted);
   interrupter.join();
   EXPECT_TRUE(json_says(folder_ / "out", "\"status\": \"interrupted\""));
   for (const std::string& name : names_in(folder_ / "out/frames"))
@@ -237,15 +237,15 @@ TEST_F(Record, AnInterruptedRunIsWholeAndGoesOnToTheSameEnd) {
   const std::int64_t step = read_state_file(folder_ / "out/state.bin").state.step;
   EXPECT_EQ(lines_of(folder_ / "out/steps.csv").size(), static_cast<std::size_t>(step) + 1);
   const std::string seconds = std::to_string(step / 20 + 1);  // 20 steps a second
-  ASSERT_EQ(record(with(resumed(options("out")), "time.seconds", seconds)), kDone);
-  ASSERT_EQ(record(with(options("straight"), "time.seconds", seconds)), kDone);
+  ASSERT_EQ(record(with(resumed(options("out")), "time.seconds", seconds)), exit_done);
+  ASSERT_EQ(record(with(options("straight"), "time.seconds", seconds)), exit_done);
   expect_same_run(folder_ / "straight", folder_ / "out");
 }
 
 TEST_F(Record, NumericalFailureKeepsTheLastGoodState) {
   Options unstable = with(with(options("out"), "time.integrator", "\"symplectic-euler\""), "time.substeps", "1");
   unstable = with(unstable, "time.seconds", "20");
-  EXPECT_EQ(record(unstable), kNumericalFailure);
+  EXPECT_EQ(record(unstable), exit_numerical_failure);
   EXPECT_TRUE(json_says(folder_ / "out", "\"status\": \"failed\""));
   EXPECT_TRUE(json_says(folder_ / "out", "\"failed_at\""));
   const sim::State state = read_state_file(folder_ / "out/state.bin").state;  // finite, or it would be refused
@@ -255,7 +255,7 @@ TEST_F(Record, NumericalFailureKeepsTheLastGoodState) {
 }
 
 TEST_F(Record, AFullDiskEndsTheRunAndKeepsWhatIsThere) {
-  ASSERT_EQ(record(with(options("out"), "time.seconds", "0.2")), kDone);
+  ASSERT_EQ(record(with(options("out"), "time.seconds", "0.2")), exit_done);
   const std::string frame = read_all(folder_ / "out/frames/frame_00002.png");
   std::filesystem::create_symlink("/dev/full", folder_ / "out/frames/frame_00003.png.tmp");
   const std::string message = error_of([&] { record(resumed(options("out"))); });
@@ -264,7 +264,7 @@ TEST_F(Record, AFullDiskEndsTheRunAndKeepsWhatIsThere) {
   EXPECT_TRUE(json_says(folder_ / "out", "\"status\": \"failed\""));
   EXPECT_EQ(read_all(folder_ / "out/frames/frame_00002.png"), frame);
   EXPECT_EQ(read_state_file(folder_ / "out/state.bin").state.step, 4);
-  ASSERT_EQ(record(resumed(options("out"))), kDone);  // once there is room again
+  ASSERT_EQ(record(resumed(options("out"))), exit_done);  // once there is room again
 }
 
 }  // namespace

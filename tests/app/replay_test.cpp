@@ -24,7 +24,7 @@ class Replay : public WorkbenchTest {
   // A session in which everything happens; returns the hash it ends with.
   std::string act() {
     Workbench bench(logged(), std::make_unique<Session>(logged()));
-    bench.frame(kWidth, kHeight);
+    bench.frame(frame_width, frame_height);
     for (int k = 0; k < 5; ++k) key(bench, render::Key::right);
     drag(bench, 80, 60, 100, 55, render::Button::left);
     letter(bench, 'W', false);
@@ -52,7 +52,7 @@ class Replay : public WorkbenchTest {
 
 TEST_F(Replay, EndsInTheSameState) {
   const std::string hash = act();
-  ASSERT_EQ(record(replayed("one")), kDone);
+  ASSERT_EQ(record(replayed("one")), exit_done);
   EXPECT_EQ(hash_in(folder_ / "one/run.json"), hash);
   EXPECT_EQ(read_session(folder_ / "session.toml").state_hash, hash);
   EXPECT_EQ(read_all(folder_ / "one/session.toml"), read_all(folder_ / "session.toml"));
@@ -62,8 +62,8 @@ TEST_F(Replay, DrawsTheSameFramesEveryTime) {
   act();
   Options panel = replayed("one"), again = replayed("two");
   panel.panel = again.panel = true;
-  ASSERT_EQ(record(panel), kDone);
-  ASSERT_EQ(record(again), kDone);
+  ASSERT_EQ(record(panel), exit_done);
+  ASSERT_EQ(record(again), exit_done);
   int frames = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "one/frames")) {
     EXPECT_EQ(read_all(entry.path()), read_all(folder_ / "two/frames" / entry.path().filename())) << entry.path();
@@ -78,10 +78,10 @@ TEST_F(Replay, OfASessionWithoutInputsIsTheRecording) {
     for (int k = 0; k < 20; ++k) key(bench, render::Key::right);
     bench.finish();
   }
-  ASSERT_EQ(record(replayed("one")), kDone);
+  ASSERT_EQ(record(replayed("one")), exit_done);
   Options plain = options();
   plain.out = folder_ / "plain";
-  ASSERT_EQ(record(plain), kDone);
+  ASSERT_EQ(record(plain), exit_done);
   EXPECT_EQ(hash_in(folder_ / "one/run.json"), hash_in(folder_ / "plain/run.json"));
   for (int k = 0; k <= 10; ++k) {
     const std::string name = "frames/frame_000" + std::string(k < 10 ? "0" : "") + std::to_string(k) + ".png";
@@ -105,11 +105,11 @@ TEST_F(Replay, CountsWhatARunCounts) {
     for (int k = 0; k < 20; ++k) key(bench, render::Key::right);
     bench.finish();
   }
-  ASSERT_EQ(record(replayed("one")), kDone);
+  ASSERT_EQ(record(replayed("one")), exit_done);
   Options plain = options();
   plain.overrides = hard.overrides;
   plain.out = folder_ / "plain";
-  ASSERT_EQ(record(plain), kDone);
+  ASSERT_EQ(record(plain), exit_done);
   EXPECT_GT(std::stoi(said(folder_ / "one/run.json", "steps_halved")), 0);
   for (const char* const name : {"newton_iterations", "linear_iterations", "steps_not_converged", "steps_halved",
                                  "not_converged_reason", "min_J", "inverted_elements", "no_memory_for_factor"})
@@ -129,7 +129,7 @@ TEST_F(Replay, AnInterruptedOneIsWholeAndSaysHowFarItCame) {
   const int code = record(replayed("one"));
   const std::string message = testing::internal::GetCapturedStderr();
   interrupter.join();
-  EXPECT_EQ(code, kInterrupted);
+  EXPECT_EQ(code, exit_interrupted);
   const sim::State state = read_state_file(folder_ / "one/state.bin").state;
   EXPECT_EQ(message, "ritz: interrupted after step " + std::to_string(state.step) + " of 1000000\n");
   EXPECT_EQ(said(folder_ / "one/run.json", "status"), "\"interrupted\"");
@@ -151,7 +151,7 @@ TEST_F(Replay, OneThatFailsKeepsTheLastGoodState) {
   testing::internal::CaptureStderr();
   const int code = record(replayed("one"));
   const std::string message = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(code, kNumericalFailure);
+  EXPECT_EQ(code, exit_numerical_failure);
   // A session with the same settings fails at the same step.
   Options unstable = options();
   for (const auto& [key, value] :
@@ -179,7 +179,7 @@ TEST_F(Replay, OneThatFailsKeepsTheLastGoodState) {
 TEST_F(Replay, SaysWhenItEndsElsewhere) {
   write_all(folder_ / "session.toml", steps_alone(4, ""));
   testing::internal::CaptureStderr();
-  EXPECT_EQ(record(replayed("one")), kDone);
+  EXPECT_EQ(record(replayed("one")), exit_done);
   const std::string message = testing::internal::GetCapturedStderr();
   EXPECT_TRUE(message.starts_with("note: the session ended in state 0123456789abcdef, the replay in " +
                                   hash_in(folder_ / "one/run.json") + ": "))
@@ -196,7 +196,7 @@ TEST_F(Replay, KeepsTheOptionsOfTheSession) {
     bench.finish();
     hash = hexadecimal(sim::hash(bench.session().state()));
   }
-  ASSERT_EQ(record(replayed("one")), kDone);
+  ASSERT_EQ(record(replayed("one")), exit_done);
   EXPECT_EQ(hash_in(folder_ / "one/run.json"), hash);
 }
 

@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kPlaneScene = R"([world]
+constexpr const char* plane_scene = R"([world]
 gravity = [0, -2]
 [[body]]
 mesh = { rectangle = [2, 1], cells = [2, 2], element = "quad4", translate = [1, 0], rotate = { degrees = 90 }, scale = 2 }
@@ -24,7 +24,7 @@ height = 4
 )";
 
 TEST_F(SceneFile, EveryFieldIsFilled) {
-  const Document document = load(kBeam);
+  const Document document = load(beam_scene);
   const sim::Scene& scene = document.scene;
   EXPECT_EQ(document.title, "beam");
   EXPECT_EQ(scene.dimension, 3);
@@ -66,7 +66,7 @@ TEST_F(SceneFile, EveryFieldIsFilled) {
 }
 
 TEST_F(SceneFile, APlaneSceneHasTwoNumbers) {
-  const Document document = load(kPlaneScene);
+  const Document document = load(plane_scene);
   const sim::Scene& scene = document.scene;
   EXPECT_EQ(scene.dimension, 2);
   EXPECT_EQ(scene.world.gravity, Vec3(0, -2, 0));
@@ -107,10 +107,11 @@ TEST_F(SceneFile, ExplicitSchemesChooseTheirSteps) {
 }
 
 TEST_F(SceneFile, OverridesWinInTheirOrder) {
-  const Document document = load(
-      kBeam, {set("time.fps", "24"), set("time.fps", "25"), set("body.0.material.poisson", "0.49"),
-              set("time.integrator", "sdirk2"), set("body.0.pin", "[{ group = \"left\" }]"), set("time.substeps", "2"),
-              set("look.range", "[1, 2]"), set("body.0.mesh.cells", "[1, 1, 1]"), set("title", "two words")});
+  const Document document =
+      load(beam_scene,
+           {set("time.fps", "24"), set("time.fps", "25"), set("body.0.material.poisson", "0.49"),
+            set("time.integrator", "sdirk2"), set("body.0.pin", "[{ group = \"left\" }]"), set("time.substeps", "2"),
+            set("look.range", "[1, 2]"), set("body.0.mesh.cells", "[1, 1, 1]"), set("title", "two words")});
   EXPECT_EQ(document.scene.time.fps, 25);
   EXPECT_EQ(document.scene.bodies[0].materials[0].poisson, 0.49);
   EXPECT_EQ(document.scene.bodies[0].materials[0].young, 2e5);
@@ -131,7 +132,7 @@ TEST_F(SceneFile, AnOverrideCanTakeAnotherMesh) {
 TEST_F(SceneFile, SettingsLieOverTheScene) {
   const std::filesystem::path settings =
       file("fast.toml", "time.substeps = 1\n[body.0.material]\nyoung = 9.0\n[look]\nwireframe = true\n");
-  const Document document = load_scene(file("scene.toml", kBeam), settings, {set("look.wireframe", "false")});
+  const Document document = load_scene(file("scene.toml", beam_scene), settings, {set("look.wireframe", "false")});
   EXPECT_EQ(document.scene.time.substeps, 1);
   EXPECT_EQ(document.scene.time.fps, 50);
   EXPECT_EQ(document.scene.bodies[0].materials[0].young, 9.0);
@@ -139,7 +140,7 @@ TEST_F(SceneFile, SettingsLieOverTheScene) {
   EXPECT_FALSE(document.look.wireframe);
 
   const std::filesystem::path wrong = file("wrong.toml", "\n[time]\nfps = 0\n");
-  const std::string message = error_of([&] { load_scene(file("scene.toml", kBeam), wrong); });
+  const std::string message = error_of([&] { load_scene(file("scene.toml", beam_scene), wrong); });
   EXPECT_TRUE(message.ends_with("wrong.toml:3: time.fps = 0: must be in [1, 1e+06]")) << message;
 }
 
@@ -177,7 +178,7 @@ bool in_first_entries(const Key& key, const Document& document) {
 // Text -> document -> text -> document -> text.
 TEST_F(SceneFile, RoundTrip) {
   for (const std::string& text :
-       {std::string(kBeam), std::string(kPlaneScene),
+       {std::string(beam_scene), std::string(plane_scene),
         body("name = \"a \\\\ \\u00e9\"\nregion = [{ group = \"left\", material = { poisson = 0.123456789012345678 } "
              "}]\n"),
         std::string("title = \"a \\\"quoted\\\" \\n\\t\\u0001 title\"\n") + body("[look]\ncaption = \"\"\n"),
@@ -201,7 +202,7 @@ TEST_F(SceneFile, DumpHoldsEveryDefault) {
         "element = \"tet4\"", "poisson = 0.45", "grading = [1.0, 1.0, 1.0]", "fov = 30.0\n", "colour = \"plain\"\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << " is not in\n" << text;
   }
-  const std::string json = scene_json(load(kPlaneScene), folder_.path());
+  const std::string json = scene_json(load(plane_scene), folder_.path());
   EXPECT_NE(json.find("\"gravity\": [0.0, -2.0]"), std::string::npos) << json;
   EXPECT_EQ(json.find("eye"), std::string::npos) << "a key of 3D scenes";
 }

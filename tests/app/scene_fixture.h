@@ -9,7 +9,7 @@
 namespace app {
 
 // Every part of a scene, in 3D.
-inline constexpr const char* kBeam = R"(title = "beam"
+inline constexpr const char* beam_scene = R"(title = "beam"
 [time]
 seconds = 1.5
 fps = 50

@@ -238,12 +238,12 @@ TEST_F(SceneFile, FilesThatCannotBeRead) {
   EXPECT_EQ(error_of([&] { load_scene(none); }), none + ": there is no such file");
   EXPECT_EQ(error_of([&] { load_scene("baer"); }), "baer: there is no such file; did you mean \"bear\"?");
   EXPECT_EQ(error_of([&] { load_scene(folder_.path()); }), folder_.path().string() + ": is a folder, not a scene file");
-  EXPECT_EQ(error_of([&] { load_scene(file("a.toml", kBeam), none); }), none + ": there is no such file");
+  EXPECT_EQ(error_of([&] { load_scene(file("a.toml", beam_scene), none); }), none + ": there is no such file");
 }
 
 // Whatever is cut off, there is a document or a SceneError.
 TEST_F(SceneFile, ASceneCutAnywhereIsReadOrRefused) {
-  const std::string text = kBeam;
+  const std::string text = beam_scene;
   for (std::size_t length = 0; length < text.size(); length += 3) {
     try {
       load(text.substr(0, length));

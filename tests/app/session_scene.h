@@ -8,7 +8,7 @@
 
 namespace app {
 
-inline constexpr const char* kSessionBeam = R"(title = "beam"
+inline constexpr const char* session_beam = R"(title = "beam"
 [time]
 seconds = 0.5
 fps = 20
@@ -22,7 +22,7 @@ pin = [{ group = "left" }]
 
 class SessionScene : public testing::Test {
  protected:
-  SessionScene() { write_all(folder_ / "beam.toml", kSessionBeam); }
+  SessionScene() { write_all(folder_ / "beam.toml", session_beam); }
 
   Options options(const std::string& scene = "beam.toml") const {
     Options options;

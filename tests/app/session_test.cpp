@@ -22,7 +22,7 @@ double height_of(const Session& session) {
 TEST_F(SessionTest, WithoutInputsItIsTheRunOfTheCommand) {
   Options plain = options();
   plain.out = folder_ / "run";
-  ASSERT_EQ(run(plain), kDone);
+  ASSERT_EQ(run(plain), exit_done);
   Session session(options());
   take(session, 20);
   EXPECT_EQ(hash_of(session), sim::hash(read_state_file(folder_ / "run/state.bin").state));
@@ -216,7 +216,7 @@ TEST_F(SessionTest, ASavedSceneReproducesTheState) {
   write_all(folder_ / "saved.toml", scene_toml(session.document(), folder_.path()));
   Options again = options("saved.toml");
   again.out = folder_ / "again";
-  ASSERT_EQ(record(again), kDone);
+  ASSERT_EQ(record(again), exit_done);
   EXPECT_EQ(hash_of(session), sim::hash(read_state_file(folder_ / "again/state.bin").state));
 }
 

@@ -30,7 +30,7 @@ std::string with_count(std::string bytes, std::size_t place, std::uint64_t count
   return bytes;
 }
 
-constexpr std::size_t kLengths = 8 + 4 + 8 + 4 * 8 + 5 * 8 + 8;  // where the length of x stands
+constexpr std::size_t lengths = 8 + 4 + 8 + 4 * 8 + 5 * 8 + 8;  // where the length of x stands
 
 TEST(StateFile, GivesBackEveryBit) {
   const SavedRun run = example();
@@ -58,8 +58,8 @@ TEST(StateFile, BytesAreLittleEndianAndInTheDocumentedOrder) {
   EXPECT_EQ(bytes.substr(0, 8), "RITZSTAT");
   EXPECT_EQ(bytes.substr(8, 4), std::string("\4\0\0\0", 4));
   EXPECT_EQ(bytes.substr(12, 8), "\x10\x32\x54\x76\x98\xba\xdc\xfe");
-  EXPECT_EQ(bytes[kLengths], 6);
-  EXPECT_EQ(bytes.size(), kLengths + 9 * (8 + 6 * 8) + 5 * 8 + 4 * 8 + 8);
+  EXPECT_EQ(bytes[lengths], 6);
+  EXPECT_EQ(bytes.size(), lengths + 9 * (8 + 6 * 8) + 5 * 8 + 4 * 8 + 8);
 }
 
 TEST(StateFile, TruncationAtEveryByteIsNoticed) {
@@ -84,7 +84,7 @@ TEST(StateFile, AbsurdLengthsAreRefusedBeforeAnythingIsAllocated) {
   const std::string bytes = encode(example());
   for (const std::uint64_t length : {std::uint64_t{1} << 31, std::uint64_t{1000000000000000000}, ~std::uint64_t{0}}) {
     for (std::size_t vector = 0; vector < 4; ++vector) {
-      const std::string damaged = with_count(bytes, kLengths + (8 + 6 * 8) * vector, length);
+      const std::string damaged = with_count(bytes, lengths + (8 + 6 * 8) * vector, length);
       EXPECT_NE(error_of([&] { decode(damaged, "state.bin"); }).find("cut short"), std::string::npos);
     }
   }

@@ -156,7 +156,7 @@ TEST(Stability, TheCommandLeavesItsCsvAndOverwritesNone) {
   options.threads = 2;
   options.only = "start/far";
   testing::internal::CaptureStdout();
-  EXPECT_EQ(stress(options), kDone);
+  EXPECT_EQ(stress(options), exit_done);
   const std::string table = testing::internal::GetCapturedStdout();
   EXPECT_NE(table.find("start/far"), std::string::npos);
   EXPECT_NE(table.find("5 cases: 5 recovered"), std::string::npos) << table;

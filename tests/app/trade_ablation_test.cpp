@@ -10,7 +10,7 @@ namespace app {
 namespace {
 
 TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
-  const std::string text = std::string(kPlate) +
+  const std::string text = std::string(plate_scene) +
                            "damping.beta = 0.01\nmass = \"consistent\"\n[[obstacle]]\nsphere = [[9, 9], 1]\n"
                            "[[obstacle]]\nplane = { point = [0, -9], normal = [0, 1] }\nfriction = 0.3\n";
   Options with = options(text.c_str());
@@ -32,7 +32,7 @@ TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
                                              "tolerance (1e-2 instead)"};
   EXPECT_EQ(names, expected);
   testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(with), kDone);
+  ASSERT_EQ(trade(with), exit_done);
   const std::string table = testing::internal::GetCapturedStdout();
   const auto line = [&](const std::string& name) {
     const std::size_t at = table.find("  " + name + " ");

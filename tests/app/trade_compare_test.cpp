@@ -52,7 +52,7 @@ TEST_F(TradeCompare, SettingsAreMeasuredOverTheSceneAndBothFrontsAreDrawn) {
   Options both = compared("softer.toml", "[body.0.material]\nyoung = 5e3\n");
   both.trade.keep_mesh = true;
   testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(both), kDone);
+  ASSERT_EQ(trade(both), exit_done);
   const std::string said = testing::internal::GetCapturedStdout();
   const std::size_t first = said.find("Advice for the knee"), second = said.find("Advice for the knee", first + 1);
   EXPECT_NE(second, std::string::npos) << said;
@@ -69,14 +69,14 @@ TEST_F(TradeCompare, SettingsAreMeasuredOverTheSceneAndBothFrontsAreDrawn) {
 
 // A file that makes its own mesh is another scene, which keeps its title.
 TEST_F(TradeCompare, ASceneIsMeasuredByItself) {
-  std::string text = kPlate;
+  std::string text = plate_scene;
   text.replace(text.find("\"plate\""), 7, "\"strip\"").replace(text.find("[2, 1]"), 6, "[4, 1]");
   Options both = compared("strip.toml", text);
   both.trade.keep_mesh = true;
   both.settings = folder_ / "stiff.toml";  // over both
   write_all(both.settings, "[body.0.material]\nyoung = 4e4\n");
   testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(both), kDone);
+  ASSERT_EQ(trade(both), exit_done);
   testing::internal::GetCapturedStdout();
   Options strip = options();
   strip.scene = both.trade.compare;

@@ -12,7 +12,7 @@
 namespace app {
 
 // A plate in the plane, pulled upwards by a load that rises smoothly.
-inline constexpr const char* kPlate = R"(
+inline constexpr const char* plate_scene = R"(
 title = "plate"
 [time]
 seconds = 0.4
@@ -33,7 +33,7 @@ traction = [{ group = "right", value = [0, 1000], ramp = 0.4 }]
 
 class TradeTest : public testing::Test {
  protected:
-  Options options(const char* text = kPlate) const {
+  Options options(const char* text = plate_scene) const {
     write_all(folder_ / "plate.toml", text);
     Options options;
     options.scene = folder_ / "plate.toml";

@@ -15,15 +15,15 @@
 namespace app {
 namespace {
 
-constexpr double kNoClock = 1e6;  // s: more than any test takes
-const Plan kPlan{4, 12};
+constexpr double no_clock = 1e6;  // s: more than any test takes
+const Plan small_plan{4, 12};
 
 TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
   const Interrupt interrupt;
   Options with = options();
   with.trade.keep_mesh = true;
-  Trade trade(with, folder_ / "trade", kNoClock, interrupt);
-  ASSERT_TRUE(trade.measure(kPlan));
+  Trade trade(with, folder_ / "trade", no_clock, interrupt);
+  ASSERT_TRUE(trade.measure(small_plan));
   const Diagram diagram = trade.diagram();
   for (const Slope& slope : slopes(diagram.scores)) {
     if (slope.integrator == "linearly-implicit") continue;  // one Newton step: its order shows later
@@ -41,8 +41,8 @@ TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
 
 TEST_F(TradeTest, MeshErrorsAreApartFromTimeErrorsAndFallWithTheCells) {
   const Interrupt interrupt;
-  Trade trade(options(), folder_ / "trade", kNoClock, interrupt);
-  ASSERT_TRUE(trade.measure(kPlan));
+  Trade trade(options(), folder_ / "trade", no_clock, interrupt);
+  ASSERT_TRUE(trade.measure(small_plan));
   auto all = rows(folder_ / "trade");
   const auto mesh = [&](const std::string& name) { return std::stod(all.at(name).at("mesh_error")); };
   EXPECT_GT(mesh("tr-bdf2 h=1/60, half the cells, tri3"), 1.2 * mesh("tr-bdf2 h=1/60"));
@@ -65,8 +65,8 @@ TEST_F(TradeTest, ARunThatExistsIsNotMadeAgain) {
   Options with = options();
   with.trade.keep_mesh = true;
   {
-    Trade trade(with, folder_ / "trade", kNoClock, interrupt);
-    ASSERT_TRUE(trade.measure(kPlan));
+    Trade trade(with, folder_ / "trade", no_clock, interrupt);
+    ASSERT_TRUE(trade.measure(small_plan));
   }
   const auto before = rows(folder_ / "trade");
   std::map<std::filesystem::path, std::filesystem::file_time_type> times;
@@ -76,8 +76,8 @@ TEST_F(TradeTest, ARunThatExistsIsNotMadeAgain) {
   const std::filesystem::path one = times.rbegin()->first;  // as if it had been interrupted before this one
   std::filesystem::remove(one);
   {
-    Trade trade(with, folder_ / "trade", kNoClock, interrupt);
-    ASSERT_TRUE(trade.measure(kPlan));
+    Trade trade(with, folder_ / "trade", no_clock, interrupt);
+    ASSERT_TRUE(trade.measure(small_plan));
   }
   for (const auto& [path, time] : times) {
     ASSERT_TRUE(std::filesystem::exists(path)) << path;
@@ -97,11 +97,11 @@ TEST_F(TradeTest, JobsAreListedAsTheyAreRun) {
   Options list = options();
   list.trade.jobs = true;
   testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(list), kDone);
+  ASSERT_EQ(trade(list), exit_done);
   std::istringstream text(testing::internal::GetCapturedStdout());
   EXPECT_FALSE(std::filesystem::exists(list.out));
   const Document scene = load_scene(list.scene);
-  const std::vector<TradeCase> jobs = independent_cases(scene, kPlan, false);
+  const std::vector<TradeCase> jobs = independent_cases(scene, small_plan, false);
   std::string line;
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     ASSERT_TRUE(std::getline(text, line)) << k;
@@ -111,7 +111,7 @@ TEST_F(TradeTest, JobsAreListedAsTheyAreRun) {
   EXPECT_FALSE(std::getline(text, line)) << line;
   Options one = options();
   one.trade.one_case = 5;
-  ASSERT_EQ(trade(one), kDone);
+  ASSERT_EQ(trade(one), exit_done);
   std::vector<std::string> run;
   for (const auto& entry : std::filesystem::directory_iterator(one.out / "cases"))
     if (const auto read = decode_case(read_all(entry.path()))) run.push_back(read->which.label);
@@ -127,14 +127,14 @@ TEST_F(TradeTest, JobsAndCollectEqualOneProcess) {
   for (std::size_t k = 0; k < jobs; ++k) {
     Options one = with;
     one.trade.one_case = static_cast<int>(k);
-    ASSERT_EQ(trade(one), kDone) << k;
+    ASSERT_EQ(trade(one), exit_done) << k;
   }
   with.trade.collect = true;
   testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(with), kDone);
+  ASSERT_EQ(trade(with), exit_done);
   EXPECT_NE(testing::internal::GetCapturedStdout().find("Advice for the knee"), std::string::npos);
   const Interrupt interrupt;
-  Trade whole(options(), folder_ / "trade", kNoClock, interrupt);
+  Trade whole(options(), folder_ / "trade", no_clock, interrupt);
   ASSERT_TRUE(whole.measure(plan));
   const auto one = rows(folder_ / "trade"), collected = rows(folder_ / "jobs");
   std::size_t compared = 0;
@@ -155,7 +155,7 @@ TEST_F(TradeTest, LeavesAdviceThatIsASettingsFile) {
   with.trade.target = "5%";
   with.trade.minutes = 0.5;
   testing::internal::CaptureStdout();
-  ASSERT_EQ(trade(with), kDone);
+  ASSERT_EQ(trade(with), exit_done);
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_NE(said.find("Advice for an error of 5%: "), std::string::npos) << said;
   EXPECT_NE(said.find("A fresh run found "), std::string::npos);
@@ -176,12 +176,12 @@ TEST_F(TradeTest, AFolderIsForOneScene) {
   const Interrupt interrupt;
   Options with = options();
   make_comparison(with);
-  { Trade trade(with, folder_ / "trade", kNoClock, interrupt); }
+  { Trade trade(with, folder_ / "trade", no_clock, interrupt); }
   with.overrides.push_back({"body.0.material.young", "1e5", "--set body.0.material.young=1e5"});
-  EXPECT_NE(error_of([&] { Trade(with, folder_ / "trade", kNoClock, interrupt); }).find("another scene"),
+  EXPECT_NE(error_of([&] { Trade(with, folder_ / "trade", no_clock, interrupt); }).find("another scene"),
             std::string::npos);
   with.overwrite = true;
-  EXPECT_EQ(error_of([&] { Trade(with, folder_ / "trade", kNoClock, interrupt); }), "");
+  EXPECT_EQ(error_of([&] { Trade(with, folder_ / "trade", no_clock, interrupt); }), "");
 }
 
 TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
@@ -209,7 +209,7 @@ TEST_F(TradeTest, RunsAreReadBackAsTheyWere) {
   const Comparison comparison = make_comparison(options());
   const TradeCase which = with({"a \"case\"", Axis::rest, {}}, "tight", "solver.tolerance", "1e-8");
   const CaseRun run =
-      run_case(comparison, which, build_simulation(options_of(comparison.options, which)), {kNoClock, 0}, interrupt);
+      run_case(comparison, which, build_simulation(options_of(comparison.options, which)), {no_clock, 0}, interrupt);
   ASSERT_EQ(run.status, CaseStatus::done) << run.reason;
   const std::string bytes = encode(run);
   const auto read = decode_case(bytes);

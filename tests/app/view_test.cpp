@@ -12,7 +12,7 @@ Vec3 vec(const render::Point& p) {
   return {p[0], p[1], p[2]};
 }
 
-const Eigen::AlignedBox3d kBox{Vec3(-1, 0, 2), Vec3(3, 1, 3)};
+const Eigen::AlignedBox3d box{Vec3(-1, 0, 2), Vec3(3, 1, 3)};
 
 // Whether a point lies within the picture of a perspective camera.
 bool is_seen(const render::Camera& camera, const Vec3& point, double aspect) {
@@ -30,9 +30,9 @@ TEST(View, AllIsSeenWhateverTheShapeOfThePicture) {
     for (const Vec3& up : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)}) {
       Camera camera;
       camera.up = up;
-      const render::Camera view = view_of(camera, kBox, 3, aspect);
+      const render::Camera view = view_of(camera, box, 3, aspect);
       for (int i = 0; i < 8; ++i) {
-        EXPECT_TRUE(is_seen(view, kBox.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)), aspect)) << aspect;
+        EXPECT_TRUE(is_seen(view, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)), aspect)) << aspect;
       }
       EXPECT_GT((vec(view.eye) - vec(view.target)).dot(up), 0);  // from above
     }
@@ -44,7 +44,7 @@ TEST(View, WhatTheSceneNamesIsTaken) {
   camera.eye = Vec3(2, 0.5, 7);
   camera.target = Vec3(2, 0, 0.5);
   camera.fov = 50;
-  const render::Camera view = view_of(camera, kBox, 3, 1.5);
+  const render::Camera view = view_of(camera, box, 3, 1.5);
   EXPECT_EQ(view.eye, (render::Point{2, 0.5F, 7}));
   EXPECT_EQ(view.target, (render::Point{2, 0, 0.5F}));
   EXPECT_FLOAT_EQ(view.field_of_view, 50);
@@ -61,22 +61,22 @@ TEST(View, AWidePlaneSceneFitsInWidth) {
 
 TEST(View, TheFloorIsBelowTheLowestPoint) {
   Look look;
-  const auto ground = ground_of(look, Vec3(0, 0, 1), kBox, {});
+  const auto ground = ground_of(look, Vec3(0, 0, 1), box, {});
   EXPECT_NEAR(ground->point[2], 2 - 0.004, 1e-6);
   look.ground_height = -5;
-  EXPECT_FLOAT_EQ(ground_of(look, Vec3(0, 1, 0), kBox, {})->point[1], -5);
+  EXPECT_FLOAT_EQ(ground_of(look, Vec3(0, 1, 0), box, {})->point[1], -5);
   look.ground = false;
-  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), kBox, {}).has_value());
+  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), box, {}).has_value());
 }
 
 TEST(View, AnObstacleThatIsAFloorIsTheFloor) {
   const std::vector<sim::Obstacle> floor = {{sim::Plane{{0, -2, 0}, {0, 1, 0}}}};
   const std::vector<sim::Obstacle> wall = {{sim::Plane{{-2, 0, 0}, {1, 0, 0}}}};
   Look look;
-  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), kBox, floor).has_value());
-  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), kBox, wall).has_value());
+  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), box, floor).has_value());
+  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), box, wall).has_value());
   look.ground_height = -3;
-  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), kBox, floor).has_value());
+  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), box, floor).has_value());
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ class Process {
   pid_t pid_ = -1;
 };
 
-const std::string kRitz = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ritz";
+const std::string ritz_program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ritz";
 
 class WindowTest : public SessionScene {
  protected:
@@ -104,7 +104,7 @@ class WindowTest : public SessionScene {
   std::string log(const std::string& name) const { return (folder_ / (name + ".log")).string(); }
 
   std::unique_ptr<Process> view(std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments = {kRitz,
+    std::vector<std::string> arguments = {ritz_program,
                                           "view",
                                           (folder_ / "beam.toml").string(),
                                           "--size",
@@ -156,7 +156,7 @@ class WindowTest : public SessionScene {
 
   // Records what was done, into the folder "replay".
   void replayed(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments = {kRitz,
+    std::vector<std::string> arguments = {ritz_program,
                                           "record",
                                           (folder_ / "beam.toml").string(),
                                           "--replay",
@@ -239,7 +239,7 @@ TEST_F(WindowTest, ShowsWhatIsRecorded) {
   const render::Image seen = screenshot();
   tool("key ctrl+q");
   ASSERT_EQ(ritz->wait(10s), 0);
-  Process record({kRitz, "record", (folder_ / "beam.toml").string(), "-o", (folder_ / "run").string(), "--size",
+  Process record({ritz_program, "record", (folder_ / "beam.toml").string(), "-o", (folder_ / "run").string(), "--size",
                   "600x400", "--seconds", "0.1"},
                  log("record"), "");
   ASSERT_EQ(record.wait(60s), 0) << read_all(log("record"));
@@ -258,14 +258,14 @@ TEST_F(WindowTest, EndsWithTheLogWholeOnCtrlC) {
 }
 
 // What the window takes settles: states to step back to are at most 2,000, small ones here; allocators and the
-// rasteriser keep what they have once used. The highest of 10 s is no more than 500 kB above that of the 10 s before: a
-// leak of 50 kB a second does not pass.
+// rasteriser keep what they have once used. The highest of 10 s is no more than 500 b above that of the 10 s before: a
+// leak of 50 b a second does not pass.
 TEST_F(WindowTest, MemoryDoesNotGrow) {
-  std::string scene = kSessionBeam;
+  std::string scene = session_beam;
   scene.replace(scene.find("[4, 2, 2]"), 9, "[1, 1, 1]");
   write_all(folder_ / "beam.toml", scene);
   const auto ritz = view();
-  const auto highest = [&] {  // kB, of the next 10 s
+  const auto highest = [&] {  // b, of the next 10 s
     long most = 0;
     for (int k = 0; k < 10; ++k) {
       std::this_thread::sleep_for(1s);
@@ -286,7 +286,7 @@ TEST_F(WindowTest, MemoryDoesNotGrow) {
 }
 
 TEST_F(SessionScene, WithoutADisplayOneLineNamesRecord) {
-  Process ritz({kRitz, "view", (folder_ / "beam.toml").string(), "--quiet"}, (folder_ / "log").string(), "");
+  Process ritz({ritz_program, "view", (folder_ / "beam.toml").string(), "--quiet"}, (folder_ / "log").string(), "");
   EXPECT_EQ(ritz.wait(20s), 2);
   const std::string said = read_all(folder_ / "log");
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;

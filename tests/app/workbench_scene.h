@@ -9,7 +9,7 @@ namespace app {
 
 class WorkbenchTest : public SessionScene {
  protected:
-  static constexpr int kWidth = 160, kHeight = 120;
+  static constexpr int frame_width = 160, frame_height = 120;
 
   Options logged() const {
     Options with_log = options();
@@ -20,7 +20,7 @@ class WorkbenchTest : public SessionScene {
   static void key(Workbench& bench, render::Key key, bool control = false, char letter = 0) {
     render::WindowEvent event{render::WindowEvent::Kind::key, key, letter};
     event.control = control;
-    bench.handle(event, kWidth, kHeight, false);
+    bench.handle(event, frame_width, frame_height, false);
   }
   static void letter(Workbench& bench, char letter, bool control) { key(bench, render::Key::letter, control, letter); }
   static void mouse(Workbench& bench, render::WindowEvent::Kind kind, float x, float y, render::Button button,
@@ -30,7 +30,7 @@ class WorkbenchTest : public SessionScene {
     event.y = y;
     event.button = button;
     event.control = control;
-    bench.handle(event, kWidth, kHeight, false);
+    bench.handle(event, frame_width, frame_height, false);
   }
   static void drag(Workbench& bench, float x0, float y0, float x1, float y1, render::Button button) {
     mouse(bench, render::WindowEvent::Kind::press, x0, y0, button);
@@ -39,9 +39,10 @@ class WorkbenchTest : public SessionScene {
   }
   // Where a point of the scene is in the picture.
   static Eigen::Vector3f place(Workbench& bench, const sim::Vec3& point) {
-    const render::Frame& frame = bench.frame(kWidth, kHeight);
-    const render::View view = render::make_view(frame.camera, float(kWidth) / kHeight, render::bounds_of(frame));
-    return view.to_window(point.cast<float>(), kWidth, kHeight);
+    const render::Frame& frame = bench.frame(frame_width, frame_height);
+    const render::View view =
+        render::make_view(frame.camera, float(frame_width) / frame_height, render::bounds_of(frame));
+    return view.to_window(point.cast<float>(), frame_width, frame_height);
   }
   static double distance(const Workbench& bench, const sim::Vec3& point) {
     const sim::State& state = bench.session().state();

@@ -53,27 +53,27 @@ TEST(Pace, KeepsToTheClockAndSaysWhereItCannot) {
 TEST_F(WorkbenchTest, TypingAndThePanelAreLeftAlone) {
   Workbench bench(logged(), std::make_unique<Session>(logged()));
   WindowEvent space{WindowEvent::Kind::key, render::Key::right};
-  bench.handle(space, kWidth, kHeight, true);
+  bench.handle(space, frame_width, frame_height, true);
   EXPECT_EQ(bench.session().steps(), 0);
-  const render::Camera before = bench.frame(kWidth, kHeight).camera;
+  const render::Camera before = bench.frame(frame_width, frame_height).camera;
   WindowEvent wheel{WindowEvent::Kind::scroll};
   wheel.scroll = 3;
-  bench.handle(wheel, kWidth, kHeight, true);
-  EXPECT_EQ(bench.frame(kWidth, kHeight).camera.eye, before.eye);
+  bench.handle(wheel, frame_width, frame_height, true);
+  EXPECT_EQ(bench.frame(frame_width, frame_height).camera.eye, before.eye);
   WindowEvent quit{WindowEvent::Kind::key, render::Key::letter, 'Q'};
   quit.control = true;
-  bench.handle(quit, kWidth, kHeight, true);
+  bench.handle(quit, frame_width, frame_height, true);
   EXPECT_TRUE(bench.quits());
 }
 
 TEST_F(WorkbenchTest, TheMouseMovesTheCamera) {
   Workbench bench(logged(), std::make_unique<Session>(logged()));
-  const render::Camera first = bench.frame(kWidth, kHeight).camera;
+  const render::Camera first = bench.frame(frame_width, frame_height).camera;
   const auto length = [](const render::Camera& c) {
     return std::hypot(c.eye[0] - c.target[0], c.eye[1] - c.target[1], c.eye[2] - c.target[2]);
   };
   drag(bench, 80, 60, 110, 50, render::Button::left);
-  const render::Camera orbited = bench.frame(kWidth, kHeight).camera;
+  const render::Camera orbited = bench.frame(frame_width, frame_height).camera;
   EXPECT_NE(orbited.eye, first.eye);
   EXPECT_EQ(orbited.target, first.target);
   EXPECT_NEAR(length(orbited), length(first), 1e-4 * length(first));
@@ -85,18 +85,18 @@ TEST_F(WorkbenchTest, TheMouseMovesTheCamera) {
   EXPECT_NEAR(now.y(), 70, 0.5);
   WindowEvent wheel{WindowEvent::Kind::scroll};
   wheel.scroll = 2;
-  bench.handle(wheel, kWidth, kHeight, false);
-  EXPECT_NEAR(length(bench.frame(kWidth, kHeight).camera), 0.81 * length(orbited), 1e-3 * length(orbited));
+  bench.handle(wheel, frame_width, frame_height, false);
+  EXPECT_NEAR(length(bench.frame(frame_width, frame_height).camera), 0.81 * length(orbited), 1e-3 * length(orbited));
   // The picture made anew for that camera is the same.
   key(bench, render::Key::letter, false, 'W');
-  const render::Camera after = bench.frame(kWidth, kHeight).camera;
+  const render::Camera after = bench.frame(frame_width, frame_height).camera;
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(after.eye[i], bench.session().document().camera.eye->coeff(i), 1e-5);
 }
 
 TEST_F(WorkbenchTest, AnOrbitStopsShortOfThePole) {
   Workbench bench(logged(), std::make_unique<Session>(logged()));
   for (int k = 0; k < 20; ++k) drag(bench, 80, 10, 80, 110, render::Button::left);
-  const render::Camera camera = bench.frame(kWidth, kHeight).camera;
+  const render::Camera camera = bench.frame(frame_width, frame_height).camera;
   EXPECT_NO_THROW(render::make_view(camera, 1, {}));
 }
 
@@ -115,7 +115,7 @@ TEST_F(WorkbenchTest, ControlAndDragPullTheBody) {
   take(left_alone, 10);
   const auto height = [](const Session& session) { return session.state().x.tail(2)[0]; };  // of the corner
   EXPECT_GT(height(bench.session()), height(left_alone) + 0.02);
-  EXPECT_FALSE(bench.frame(kWidth, kHeight).arrows.empty()) << "the spring is drawn";
+  EXPECT_FALSE(bench.frame(frame_width, frame_height).arrows.empty()) << "the spring is drawn";
   mouse(bench, WindowEvent::Kind::release, at.x(), at.y() - 40, render::Button::left);
   EXPECT_FALSE(bench.session().pull());
   // Beside the body there is nothing to pull.
@@ -132,7 +132,7 @@ TEST_F(WorkbenchTest, SavesAndReadsAgain) {
   letter(bench, 'S', true);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "beam-2.toml")) << "nothing is overwritten";
   key(bench, render::Key::right);
-  write_all(folder_ / "beam.toml", std::string(kSessionBeam) + "[world]\ngravity = [0, 0, 0]\n");
+  write_all(folder_ / "beam.toml", std::string(session_beam) + "[world]\ngravity = [0, 0, 0]\n");
   letter(bench, 'L', true);
   EXPECT_EQ(bench.session().document().scene.world.gravity.y(), 0);
   EXPECT_EQ(bench.session().steps(), 0);
@@ -158,7 +158,7 @@ TEST_F(WorkbenchTest, AFailureIsShownAndTheStateStays) {
   for (int k = 0; k < 2000 && bench.playing(); ++k) bench.advance(0.1);
   EXPECT_FALSE(bench.playing());
   EXPECT_NE(bench.message().find("cannot be taken"), std::string::npos) << bench.message();
-  for (const render::Surface& surface : bench.frame(kWidth, kHeight).surfaces) {
+  for (const render::Surface& surface : bench.frame(frame_width, frame_height).surfaces) {
     for (const float x : surface.positions) ASSERT_TRUE(std::isfinite(x));
   }
 }

@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
+constexpr int frame_width = 1280, frame_height = 720;
 
 // Places of a ball around the origin, which are normals too: three for each triangle.
 std::vector<float> unindexed_ball() {
@@ -38,8 +38,8 @@ void main() { colour = vec4(vec3(0.2 + 0.8 * max(dot(normalize(normal), vec3(0.5
 )";
 
 render::GlObject multisampled(const GladGLContext& gl, GLenum format, int samples) {
-  render::GlObject buffer = render::make_renderbuffer(gl, format, kWidth, kHeight);
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, kWidth, kHeight);
+  render::GlObject buffer = render::make_renderbuffer(gl, format, frame_width, frame_height);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, frame_width, frame_height);
   return buffer;
 }
 
@@ -64,7 +64,7 @@ void plain_triangles(benchmark::State& state) {
   const render::GlObject program = render::make_program(gl, {vertex_stage}, {fragment_stage});
   const render::GlObject vertex_array = render::make_vertex_array(gl), vertices = render::make_buffer(gl);
   const std::vector<float> points = unindexed_ball();
-  gl.Viewport(0, 0, kWidth, kHeight);
+  gl.Viewport(0, 0, frame_width, frame_height);
   gl.ClearColor(1, 1, 1, 1);
   gl.Enable(GL_DEPTH_TEST);
   gl.UseProgram(program.name());
@@ -77,9 +77,10 @@ void plain_triangles(benchmark::State& state) {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(points.size() / 3));
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, picture.framebuffer.name());
-    gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BlitFramebuffer(0, 0, frame_width, frame_height, 0, 0, frame_width, frame_height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
     gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer.name());
-    benchmark::DoNotOptimize(render::read_pixels(gl, kWidth, kHeight));
+    benchmark::DoNotOptimize(render::read_pixels(gl, frame_width, frame_height));
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr int kSize = 200;
+constexpr int size = 200;
 
 // A floor at y = -1, out of which (0, 1, 0) points, in a picture of 4 m.
 render::Frame floor_frame() {
@@ -25,26 +25,26 @@ render::Frame floor_frame() {
 // Shares of dark pixels by row.
 std::vector<double> darkness(const render::Frame& frame) {
   const auto context = render::make_offscreen_context();
-  const render::Image image = render::Renderer(*context, kSize, kSize, 1).draw(frame);
+  const render::Image image = render::Renderer(*context, size, size, 1).draw(frame);
   std::vector<double> rows;
-  for (int y = 0; y < kSize; ++y) {
+  for (int y = 0; y < size; ++y) {
     int dark = 0;
-    for (int x = 0; x < kSize; ++x) dark += image.rgba[4 * (static_cast<std::size_t>(y) * kSize + x)] < 180;
-    rows.push_back(double(dark) / kSize);
+    for (int x = 0; x < size; ++x) dark += image.rgba[4 * (static_cast<std::size_t>(y) * size + x)] < 180;
+    rows.push_back(double(dark) / size);
   }
   return rows;
 }
 
 TEST(Hatch, APlaneIsALineWithItsSolidSideHatched) {
   const std::vector<double> rows = darkness(floor_frame());
-  const int line = kSize / 2 + kSize / 4;
+  const int line = size / 2 + size / 4;
   EXPECT_GT(std::max({rows[line - 1], rows[line], rows[line + 1]}), 0.95);
   for (int y = 0; y < line - 3; ++y) EXPECT_EQ(rows[y], 0) << y;
   for (int y = line + 3; y < line + 6; ++y) {
     EXPECT_GT(rows[y], 0.05) << y;
     EXPECT_LT(rows[y], 0.5) << y;
   }
-  for (int y = line + 12; y < kSize; ++y) EXPECT_EQ(rows[y], 0) << y;
+  for (int y = line + 12; y < size; ++y) EXPECT_EQ(rows[y], 0) << y;
 }
 
 TEST(Hatch, NoneWherePlanesAreSeenFromAside) {

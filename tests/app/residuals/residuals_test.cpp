@@ -16,10 +16,10 @@ ResidualStudy study_of(const std::string& text, bool anyway = false) {
   return study_residuals(read_problem(text, "test.toml"), anyway);
 }
 
-const char* const kWind = "a = \"1\"\nf = \"1\"\nn = [2, 4]\n";
+const char* const wind = "a = \"1\"\nf = \"1\"\nn = [2, 4]\n";
 
 TEST(ResidualsCommand, RefusesRitzWithTheNumberThatShowsWhy) {
-  const ResidualStudy study = study_of(kWind);
+  const ResidualStudy study = study_of(wind);
   const std::string text = study_text(study);
   EXPECT_NE(
       text.find("refused: ritz needs a self-adjoint L, and int v L u - int u L v = -0.03333333333 for u = x (1-x), "
@@ -30,7 +30,7 @@ TEST(ResidualsCommand, RefusesRitzWithTheNumberThatShowsWhy) {
 }
 
 TEST(ResidualsCommand, DoesRitzAnyway) {
-  const ResidualStudy study = study_of(kWind, true);
+  const ResidualStudy study = study_of(wind, true);
   const std::string csv = residuals_csv({&study, 1});
   EXPECT_NE(csv.find("test,sines,ritz-anyway,2,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("test,hats,ritz-anyway,4,"), std::string::npos) << csv;
@@ -79,13 +79,13 @@ TEST(ResidualsCommand, LeavesItsFilesAndKeepsThem) {
   options.problem = folder / "load.toml";
   options.out = folder / "out";
   write_all(options.problem, "f = \"1\"\nn = [1, 2]\n");
-  EXPECT_EQ(residuals(options), kDone);
+  EXPECT_EQ(residuals(options), exit_done);
   EXPECT_TRUE(read_all(folder / "out/residuals.csv").find("\nload,sines,collocation-equal,1,") != std::string::npos);
   EXPECT_FALSE(read_all(folder / "out/coefficients.csv").empty());
   EXPECT_FALSE(read_all(folder / "out/load.gnuplot").empty());
   EXPECT_NE(error_of([&] { residuals(options); }).find("--overwrite"), std::string::npos);
   options.overwrite = true;
-  EXPECT_EQ(residuals(options), kDone);
+  EXPECT_EQ(residuals(options), exit_done);
 }
 
 TEST(ResidualsCommand, ShippedProblemsAreThoseOfTheLecture) {

@@ -58,7 +58,7 @@ void expect_entry(const std::string& text, const std::string& name, const Chain&
   EXPECT_NEAR(errors.largest / number(entry, "error_max"), 1, 1e-8) << name;
 }
 
-const char* const kProjection = "best in the 2-norm (projection of the solution)";
+const char* const projection_method = "best in the 2-norm (projection of the solution)";
 
 TEST(LowDimensional, TheFiveVectorsOfTheTable) {
   const std::string text = section("symmetric");
@@ -71,7 +71,7 @@ TEST(LowDimensional, TheFiveVectorsOfTheTable) {
   expect_entry(text, "b least squares", chain, U, solve_least_squares(chain, U));
   expect_entry(text, "c Galerkin", chain, U, solve_galerkin(chain, U));
   expect_entry(text, "d energy", chain, U, solve_energy(chain, U));
-  expect_entry(text, kProjection, chain, U, project(solve(chain), U));
+  expect_entry(text, projection_method, chain, U, project(solve(chain), U));
   EXPECT_NEAR(chain.b.norm() / 94.86832981, 1, 1e-8);
   EXPECT_NEAR(solve(chain).norm() / 1.112668262, 1, 1e-8);
 }
@@ -100,7 +100,7 @@ TEST(LowDimensional, SinesOfTheTable) {
   expect_entry(text, "b least squares", chain, U, solve_least_squares(chain, U));
   expect_entry(text, "c Galerkin", chain, U, solve_galerkin(chain, U));
   expect_entry(text, "d energy", chain, U, solve_energy(chain, U));
-  expect_entry(text, kProjection, chain, U, project(solve(chain), U));
+  expect_entry(text, projection_method, chain, U, project(solve(chain), U));
 }
 
 TEST(LowDimensional, AWindThatTheEnergyDoesNotSee) {
@@ -111,7 +111,7 @@ TEST(LowDimensional, AWindThatTheEnergyDoesNotSee) {
   expect_entry(text, "b least squares", chain, U, solve_least_squares(chain, U));
   expect_entry(text, "c Galerkin", chain, U, solve_galerkin(chain, U));
   expect_entry(text, "d energy of the symmetric part (wrong)", chain, U, solve_energy(chain, U));
-  expect_entry(text, kProjection, chain, U, project(solve(chain), U));
+  expect_entry(text, projection_method, chain, U, project(solve(chain), U));
 }
 
 TEST(LowDimensional, EachMethodIsLeastInItsOwnNorm) {
