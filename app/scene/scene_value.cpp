@@ -146,6 +146,53 @@ std::vector<double> ball(const toml::node& node, const Form& form, int& dimensio
   return numbers;
 }
 
+Value value_of(const Form& form, const toml::node& node, int& dimension) {
+  switch (form.kind) {
+    case Kind::boolean:
+      if (!node.is_boolean()) refuse(kind_text(form));
+      return *node.value<bool>();
+    case Kind::integer:
+      return integer(node, form);
+    case Kind::substeps:
+      return node.is_string() && text(node, form) == "auto" ? std::int64_t{0} : integer(node, form);
+    case Kind::number:
+      return number(node, form);
+    case Kind::joining:
+      return node.is_boolean() ? (*node.value<bool>() ? 0.0 : -1.0) : number(node, form);
+    case Kind::text:
+      return text(node, form);
+    case Kind::name:
+      return name(node, form);
+    case Kind::choice:
+      return choice(node, form);
+    case Kind::axes:
+      return axes(node, form);
+    case Kind::names:
+      return texts(node, form);
+    case Kind::integers:
+    case Kind::numbers:
+      return numbers(node, form, form.size[0], form.size[1]);
+    case Kind::point:
+      return point(node, form, dimension);
+    case Kind::direction:
+      return unit(point(node, form, dimension));
+    case Kind::axis:
+      return unit(numbers(node, form, 3, 3));
+    case Kind::box:
+      return box(node, form, dimension);
+    case Kind::ball:
+      return ball(node, form, dimension);
+    case Kind::matrix:
+      return matrix(node, form, dimension);
+    case Kind::points:
+      return points(node, form, dimension);
+    case Kind::table:
+    case Kind::list:
+      break;
+  }
+  refuse(kind_text(form));
+}
+
 }  // namespace
 
 std::string node_literal(const toml::node& node) {
@@ -169,67 +216,7 @@ std::string node_literal(const toml::node& node) {
 
 ScannedValue scan_value(const Form& form, const toml::node& node) {
   ScannedValue scan;
-  switch (form.kind) {
-    case Kind::boolean:
-      if (!node.is_boolean()) refuse(kind_text(form));
-      scan.value = *node.value<bool>();
-      break;
-    case Kind::integer:
-      scan.value = integer(node, form);
-      break;
-    case Kind::substeps:
-      scan.value = node.is_string() && text(node, form) == "auto" ? std::int64_t{0} : integer(node, form);
-      break;
-    case Kind::number:
-      scan.value = number(node, form);
-      break;
-    case Kind::joining:
-      scan.value = node.is_boolean() ? (*node.value<bool>() ? 0.0 : -1.0) : number(node, form);
-      break;
-    case Kind::text:
-      scan.value = text(node, form);
-      break;
-    case Kind::name:
-      scan.value = name(node, form);
-      break;
-    case Kind::choice:
-      scan.value = choice(node, form);
-      break;
-    case Kind::axes:
-      scan.value = axes(node, form);
-      break;
-    case Kind::names:
-      scan.value = texts(node, form);
-      break;
-    case Kind::integers:
-    case Kind::numbers:
-      scan.value = numbers(node, form, form.size[0], form.size[1]);
-      break;
-    case Kind::point:
-      scan.value = point(node, form, scan.dimension);
-      break;
-    case Kind::direction:
-      scan.value = unit(point(node, form, scan.dimension));
-      break;
-    case Kind::axis:
-      scan.value = unit(numbers(node, form, 3, 3));
-      break;
-    case Kind::box:
-      scan.value = box(node, form, scan.dimension);
-      break;
-    case Kind::ball:
-      scan.value = ball(node, form, scan.dimension);
-      break;
-    case Kind::matrix:
-      scan.value = matrix(node, form, scan.dimension);
-      break;
-    case Kind::points:
-      scan.value = points(node, form, scan.dimension);
-      break;
-    case Kind::table:
-    case Kind::list:
-      refuse(kind_text(form));
-  }
+  scan.value = value_of(form, node, scan.dimension);
   return scan;
 }
 

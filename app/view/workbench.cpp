@@ -1,7 +1,6 @@
 #include "app/view/workbench.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/base/output_file.h"
@@ -9,44 +8,12 @@
 #include "app/picture/stage.h"
 #include "app/scene/scene_text.h"
 #include "app/view/camera_moves.h"
+#include "app/view/shortcut.h"
 
 namespace app {
 namespace {
 
-using render::WindowEvent;
-
 constexpr double stepping = 0.03;  // s of wall time between two pictures
-
-std::optional<Action> action_of(const WindowEvent& event) {
-  switch (event.key) {
-    case render::Key::space:
-      return Action::play;
-    case render::Key::right:
-      return Action::step;
-    case render::Key::left:
-      return Action::back;
-    case render::Key::backspace:
-      return Action::reset;
-    case render::Key::f1:
-      return Action::help;
-    case render::Key::tab:
-      return Action::hide_panel;
-    case render::Key::page_up:
-      return Action::page_back;
-    case render::Key::page_down:
-      return Action::page_on;
-    case render::Key::escape:
-      return std::nullopt;
-    case render::Key::letter:
-      break;
-  }
-  if (!event.control) return event.letter == 'W' ? std::optional(Action::wireframe) : std::nullopt;
-  if (event.letter == 'L') return Action::reload;
-  if (event.letter == 'S') return Action::save;
-  if (event.letter == 'P') return Action::screenshot;
-  if (event.letter == 'Q') return Action::quit;
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -61,16 +28,18 @@ Workbench::Workbench(Options options, std::unique_ptr<Session> session)
   log_ = std::make_unique<SessionLog>(options_, session_->document().scene.dimension);
 }
 
-void Workbench::handle(const WindowEvent& event, int width, int height, bool over_widgets) {
-  if (event.kind == WindowEvent::Kind::key) {
+void Workbench::handle(const render::WindowEvent& event, int width, int height, bool over_widgets) {
+  if (event.kind == render::WindowEvent::Kind::key) {
     const bool command = event.control || event.key == render::Key::f1;
     if (over_widgets && !command) return;
     if (const std::optional<Action> action = action_of(event)) act(*action);
     return;
   }
-  const bool begins = event.kind == WindowEvent::Kind::press || event.kind == WindowEvent::Kind::scroll;
+  const bool begins = event.kind == render::WindowEvent::Kind::press || event.kind == render::WindowEvent::Kind::scroll;
   if (begins && over_widgets) return;
-  if (drag_ring(event, width, height)) return;
+  const RingDrag::Answer drag = ring_drag_.handle(event, frames_, session_->state(), width, height);
+  if (drag.change) apply(*drag.change);
+  if (drag.taken) return;
   frame(width, height);
   const std::optional<Input> input =
       mouse_.handle(event, {frame_, *session_->simulation()->system, session_->state(), width, height});
@@ -80,30 +49,6 @@ void Workbench::handle(const WindowEvent& event, int width, int height, bool ove
     return;
   }
   apply(*input);
-}
-
-// Takes hold of the ring under the mouse, moves it, lets go. True when the event was for a ring.
-bool Workbench::drag_ring(const WindowEvent& event, int width, int height) {
-  constexpr double reach = 0.035;  // of the picture's height: as far from its middle a ring is taken
-  if (event.kind == WindowEvent::Kind::release) return std::exchange(ring_, std::nullopt).has_value();
-  const bool takes = event.kind == WindowEvent::Kind::press && event.button == render::Button::left && !event.control;
-  if (!takes && !(ring_ && event.kind == WindowEvent::Kind::move)) return false;
-  const std::vector<Ring> rings = frames_.rings(session_->state());
-  if (takes) {
-    double nearest = reach * height;
-    for (std::size_t k = 0; k < rings.size(); ++k) {
-      const render::Spot at = render::to_page(rings[k].diagram, rings[k].grip.at, width, height);
-      const double distance = std::hypot(at[0] - event.x, at[1] - event.y);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      ring_ = k;
-    }
-    return ring_.has_value();
-  }
-  if (*ring_ >= rings.size()) return true;
-  const Ring& ring = rings[*ring_];
-  apply(SetKey{ring.key, ring.grip.value(render::from_page(ring.diagram, {event.x, event.y}, width, height))});
-  return true;
 }
 
 void Workbench::act(Action action) {

@@ -16,6 +16,7 @@
 #include "app/session/session_log.h"
 #include "app/view/mouse.h"
 #include "app/view/pace.h"
+#include "app/view/ring_drag.h"
 #include "render/frame.h"
 #include "render/window.h"
 
@@ -54,7 +55,6 @@ class Workbench {
   void count_frame();
   bool reload();
   void turn_page(std::ptrdiff_t by);
-  bool drag_ring(const render::WindowEvent& event, int width, int height);
   void save();
   void refresh_picture(double aspect);
   // A name that is not taken: START-1END, START-2END, ...
@@ -68,10 +68,10 @@ class Workbench {
   Pace pace_;
   Panel panel_;
   bool playing_ = false, quits_ = false, panel_shown_ = true, help_ = false, screenshot_ = false;
-  std::optional<std::size_t> ring_;  // that is dragged: its number among those of the picture
-  std::optional<PullTo> pull_to_;    // applied before the next step: a mouse moves more often than that
-  double time_ = 0;                  // s simulated since the session began
-  sim::StepReport report_;           // of the last step
+  RingDrag ring_drag_;
+  std::optional<PullTo> pull_to_;  // applied before the next step: a mouse moves more often than that
+  double time_ = 0;                // s simulated since the session began
+  sim::StepReport report_;         // of the last step
   std::string message_;
 
   FrameHistory frames_;                      // the energies and colours of the frames so far
