@@ -48,7 +48,7 @@ enum class Quantity { stress, stretch, energy, J };
 struct Counts {
   int nodes = 0, elements = 0, dofs = 0, free_dofs = 0;
   std::int64_t nonzeros = 0;  // of the matrix; 0 when the scene forms none
-  std::int64_t bytes = 0;     // estimate of the memory a run needs
+  std::int64_t bytes = 0;     // estimate of what a run needs, the program included, without pictures
 };
 
 }  // namespace sim

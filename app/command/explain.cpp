@@ -11,10 +11,11 @@
 namespace app {
 namespace {
 
+constexpr double drawing = 80e6;  // bytes: the rasteriser and the pictures under way, measured
+
 std::string bytes_text(double bytes) {
   if (bytes >= 1e9) return formatted("%.1f GB", bytes / 1e9);
-  if (bytes >= 1e6) return formatted("%.1f MB", bytes / 1e6);
-  return formatted("%.0f b", bytes / 1e3);
+  return formatted("%.0f MB", bytes / 1e6);
 }
 
 void print_line(const std::string& name, const std::string& value) {
@@ -49,7 +50,8 @@ void print_costs(const sim::System& system) {
   print_line("elements", std::to_string(counts.elements));
   print_line("dofs", std::to_string(counts.dofs) + ", of which " + std::to_string(counts.free_dofs) + " free");
   print_line("nonzeros", counts.nonzeros == 0 ? "none: no matrix is formed" : std::to_string(counts.nonzeros));
-  print_line("memory", "about " + bytes_text(static_cast<double>(counts.bytes)));
+  print_line("memory", "about " + bytes_text(static_cast<double>(counts.bytes)) + ", and " + bytes_text(drawing) +
+                           " more to draw");
 }
 
 // Of the keys that were given, those whose value is not the default.

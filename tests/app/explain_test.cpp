@@ -54,11 +54,12 @@ TEST_F(Explain, CountsTheMeshAndTheMatrix) {
   EXPECT_EQ(said(said(with("time.integrator", "central-difference")), "nonzeros"), "none: no matrix is formed");
 }
 
-TEST_F(Explain, SaysMemoryInTheUnitThatFitsIt) {
+TEST_F(Explain, SaysTheMemoryThatTheSystemCounts) {
   const auto bytes_said = [](const std::string& text) {
     const std::string memory = said(text, "memory"), about = "about ";
     EXPECT_TRUE(memory.starts_with(about)) << memory;
-    return std::stod(memory.substr(about.size())) * (memory.ends_with(" b") ? 1e3 : memory.ends_with(" MB") ? 1e6 : 0);
+    EXPECT_TRUE(memory.ends_with(" MB, and 80 MB more to draw")) << memory;
+    return 1e6 * std::stod(memory.substr(about.size()));
   };
   for (const Options& size : {options(), with("body.0.mesh.cells", "[16, 8, 8]")}) {
     const auto bytes = static_cast<double>(build_simulation(size).system->counts().bytes);
