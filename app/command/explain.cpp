@@ -34,6 +34,7 @@ void print_time(const Simulation& simulation, int threads) {
   print_line("steps",
              std::to_string(simulation.last_step()) + ", " + std::to_string(system.steps_per_frame()) + " per frame");
   print_line("step h", formatted("%.6g s", system.step_seconds()));
+  if (system.bodies().empty()) return;  // a page of a lecture that moves nothing
   const double limit = sim::explicit_limit(simulation.document.scene, system, threads);
   print_line("stable h", formatted("%.3g s", limit) + " at most in an explicit scheme");
 }

@@ -10,6 +10,7 @@ ExhibitBody::ExhibitBody(const ExhibitInput& input) : system_(input.system), sce
     while (number_ < scene_.bodies.size() && scene_.bodies[number_].name != input.spec.body) ++number_;
     if (number_ == scene_.bodies.size()) throw sim::InputError("body", "there is no body of this name");
   }
+  if (scene_.bodies.empty()) throw sim::InputError("kind", "is about a body, and there is none");
   scene_.bodies = {scene_.bodies[number_]};
   scene_.springs.clear();
   scene_.probes.clear();

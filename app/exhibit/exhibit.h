@@ -21,6 +21,10 @@ struct Grip {
   std::function<std::string(const render::Spot&)> value = {};  // TOML, for the ring at a spot
 };
 
+// The ring of number k of the key "values": the others stay.
+Grip number_grip(std::size_t diagram, const render::Spot& at, std::vector<double> values, std::size_t k,
+                 std::function<double(const render::Spot&)> number);
+
 class Exhibit {
  public:
   virtual ~Exhibit() = default;

@@ -54,6 +54,7 @@ Eigen::AlignedBox3d first_box(const sim::System& system, const sim::Scene& scene
 Eigen::AlignedBox3d box_of(const Eigen::VectorXd& x, int dimension) {
   const Eigen::Map<const Eigen::MatrixXd> points(x.data(), dimension, x.size() / dimension);
   Eigen::AlignedBox3d box{Vec3::Zero(), Vec3::Zero()};
+  if (points.size() == 0) return box;
   box.min().head(dimension) = points.rowwise().minCoeff();
   box.max().head(dimension) = points.rowwise().maxCoeff();
   return box;

@@ -27,7 +27,18 @@ struct Curve {
 struct PlotPanel {
   std::string settings;
   std::vector<Curve> curves;
+  bool logarithmic = false;
 };
+
+// Room about a single value, of which gnuplot would make a range with a warning; else the range is its own choice.
+std::string range_text(const PlotPanel& panel, char axis, Real std::pair<Real, Real>::*of) {
+  const Real first = panel.curves.front().points.front().*of;
+  for (const Curve& curve : panel.curves)
+    for (const auto& point : curve.points)
+      if (point.*of != first) return formatted("set %crange [*:*]\n", axis);
+  return panel.logarithmic ? formatted("set %crange [%Lg:%Lg]\n", axis, first / 2, first * 2)
+                           : formatted("set %crange [%Lg:%Lg]\n", axis, first - 1, first + 1);
+}
 
 // One colour a method [Okabe & Ito], and one dash pattern a basis.
 std::string method_style(const std::string& method) {
@@ -86,7 +97,7 @@ std::pair<PlotPanel, PlotPanel> basis_panels(const ResidualStudy& study, const s
 PlotPanel convergence_panel(const ResidualStudy& study, const std::string& title,
                             std::optional<Real> (*error)(const Errors&), std::optional<Real> Orders::*order) {
   std::map<std::string_view, int> dashes;
-  PlotPanel panel{"set logscale xy\nset format y '10^{%T}'\nset xlabel 'n'\nset ylabel '" + title + "'\n", {}};
+  PlotPanel panel{"set logscale xy\nset format y '10^{%T}'\nset xlabel 'n'\nset ylabel '" + title + "'\n", {}, true};
   const std::vector<Orders> all = orders_of(study);
   for (const Attempt& attempt : study.attempts) {
     const int dash = dashes.emplace(attempt.basis(), static_cast<int>(dashes.size()) + 1).first->second;
@@ -125,7 +136,9 @@ std::string panel_text(const PlotPanel& panel, int number, std::string& data) {
             (curve.title.empty() ? " notitle" : " title " + gnuplot_quoted(curve.title));
   }
   // An empty cell keeps the grid of panels.
-  return plot.empty() ? "set multiplot next\n" : panel.settings + plot + "\n";
+  if (plot.empty()) return "set multiplot next\n";
+  using Point = std::pair<Real, Real>;
+  return panel.settings + range_text(panel, 'x', &Point::first) + range_text(panel, 'y', &Point::second) + plot + "\n";
 }
 
 // One picture of panels in rows, as SVG and as PNG.

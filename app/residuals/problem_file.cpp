@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,6 +34,20 @@ constexpr int first_terms[] = {1, 2, 4, 8, 16, 32};
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw std::runtime_error(where + ": " + what);
+}
+
+std::string given_text(const toml::node& node) {
+  std::ostringstream given;
+  node.visit([&](const auto& value) { given << value; });
+  return given.str();
+}
+
+// As much of a long expression as a message has room for, about a character of it.
+std::string excerpt(const std::string& text, std::size_t at) {
+  constexpr std::size_t most = 60;
+  if (text.size() <= most) return text;
+  const std::size_t first = std::min(at - std::min(at, most / 2), text.size() - most);
+  return (first > 0 ? "..." : "") + text.substr(first, most) + (first + most < text.size() ? "..." : "");
 }
 
 class Reader {
@@ -85,9 +100,9 @@ class Reader {
     try {
       file_.problem.*key.function = parse_expression(text);
     } catch (const ExpressionError& error) {
-      refuse(place_in(*node, text, error.at), std::string(key.name) + " = \"" + text + "\": " + error.what() +
-                                                  ", at character " + std::to_string(error.at + 1) +
-                                                  " of the expression");
+      refuse(place_in(*node, text, error.at), std::string(key.name) + " = \"" + excerpt(text, error.at) +
+                                                  "\": " + error.what() + ", at character " +
+                                                  std::to_string(error.at + 1) + " of the expression");
     }
   }
 
@@ -112,7 +127,7 @@ class Reader {
     const toml::array* const list = node->as_array();
     if (!list || list->empty()) refuse(line(node->source()), std::string(key) + " must be a list of some of: " + known);
     for (const toml::node& entry : *list) {
-      const std::string name = entry.value_or(std::string());
+      const std::string name = entry.value_or(given_text(entry));
       const auto row = std::ranges::find(rows, std::string_view(name), &Row::name);
       if (row == rows.end())
         refuse(line(entry.source()),
@@ -133,9 +148,8 @@ class Reader {
     file_.n.clear();
     for (const toml::node& entry : *list) {
       const auto terms = entry.value_exact<std::int64_t>();
-      std::ostringstream given;
-      entry.visit([&](const auto& value) { given << value; });
-      if (!terms || *terms < 1 || *terms > most_terms) refuse(line(entry.source()), right + "; not " + given.str());
+      if (!terms || *terms < 1 || *terms > most_terms)
+        refuse(line(entry.source()), right + "; not " + given_text(entry));
       file_.n.push_back(static_cast<int>(*terms));
     }
     std::ranges::sort(file_.n);
@@ -184,12 +198,10 @@ class Reader {
 }  // namespace
 
 ProblemFile read_problem(const std::filesystem::path& path) {
+  std::error_code none;
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || !text || std::filesystem::is_directory(path))
-    refuse(path.string(), "cannot be read: must be a problem file");
-  return read_problem(text.str(), path);
+  if (!in || std::filesystem::is_directory(path, none)) refuse(path.string(), "cannot be read: must be a problem file");
+  return read_problem(std::string(std::istreambuf_iterator<char>(in), {}), path);
 }
 
 ProblemFile read_problem(std::string_view text, const std::filesystem::path& path) {

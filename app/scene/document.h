@@ -15,6 +15,7 @@
 namespace app {
 
 struct Document {
+  std::filesystem::path folder;  // of the scene file: files that exhibits name are told from there
   std::string title;
   sim::Scene scene;
   std::vector<MeshSpec> meshes;  // body by body: the description that scene.bodies[i].mesh was made from

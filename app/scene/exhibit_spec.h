@@ -2,6 +2,7 @@
 // which kind has which is told by the table in exhibits.cpp.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct ExhibitSpec {
   std::vector<sim::Vec3> nodes;  // m: where the nodes of the element are held; empty: where the body has them
   std::vector<double> values;    // numbers that can be dragged
   std::string basis;             // functions or elements
+  std::string method;            // by which coefficients are chosen; empty: one after the other
+  std::string rows;              // of a large system: which of them are kept
+  std::string problem;           // file of a differential equation, beside the scene file
+  double wind = 0;               // what makes the large system unsymmetric
+  std::optional<double> eps;     // diffusion beside an advection of 1
+  bool anyway = false;           // Ritz's method where it does not apply
 
   bool operator==(const ExhibitSpec&) const = default;
 };

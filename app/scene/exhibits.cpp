@@ -8,6 +8,9 @@ namespace app {
 std::unique_ptr<Exhibit> make_pipeline(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_shape_functions(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_interpolation(const ExhibitInput&);
+std::unique_ptr<Exhibit> make_five_vectors(const ExhibitInput&);
+std::unique_ptr<Exhibit> make_weighted_residuals(const ExhibitInput&);
+std::unique_ptr<Exhibit> make_self_adjoint(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_forces_and_energies(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_bar_clocks(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_xray(const ExhibitInput&);
@@ -25,6 +28,18 @@ std::span<const ExhibitKind> exhibit_kinds() {
        {"body", "node", "pace", "values"},
        make_shape_functions},
       {"interpolation", "a function, its interpolants and the order", {"basis", "count", "pace"}, make_interpolation},
+      {"five-vectors",
+       "a large system in a few vectors, by four methods",
+       {"basis", "count", "rows", "values", "method", "wind", "pace"},
+       make_five_vectors},
+      {"weighted-residuals",
+       "a differential equation in a few functions: solution, residual, errors",
+       {"problem", "basis", "count", "method", "values", "pace"},
+       make_weighted_residuals},
+      {"self-adjoint",
+       "advection and diffusion: where Ritz's method does not apply",
+       {"eps", "count", "anyway", "pace"},
+       make_self_adjoint},
       {"forces-and-energies", "forces beside the slope of U; T and U", {"body"}, make_forces_and_energies},
       {"bar-clocks", "lumped and consistent mass: frequencies and phases", {"count"}, make_bar_clocks},
       {"x-ray", "one triangle: F, stretches, P, forces", {"body", "element", "nodes"}, make_xray},
@@ -40,6 +55,11 @@ std::span<const ExhibitKind> exhibit_kinds() {
 const ExhibitKind* find_exhibit_kind(std::string_view name) {
   const auto found = std::ranges::find(exhibit_kinds(), name, &ExhibitKind::name);
   return found == exhibit_kinds().end() ? nullptr : &*found;
+}
+
+bool exhibit_has(std::string_view kind, std::string_view key) {
+  const ExhibitKind* found = find_exhibit_kind(kind);
+  return key == "kind" || found == nullptr || std::ranges::find(found->keys, key) != found->keys.end();
 }
 
 }  // namespace app

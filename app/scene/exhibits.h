@@ -1,6 +1,7 @@
 // The exhibits that a page of a lecture can have: one table. A new one is its file in app/exhibit and a line here.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -18,6 +19,7 @@ struct ExhibitInput {
   const sim::Scene& scene;
   const sim::System& system;
   const ExhibitSpec& spec;
+  const std::filesystem::path& folder;  // that files of the exhibit are told from
 };
 
 struct ExhibitKind {
@@ -29,5 +31,7 @@ struct ExhibitKind {
 
 std::span<const ExhibitKind> exhibit_kinds();
 const ExhibitKind* find_exhibit_kind(std::string_view name);
+// Whether exhibits of this kind have this key of [[exhibit]].
+bool exhibit_has(std::string_view kind, std::string_view key);
 
 }  // namespace app

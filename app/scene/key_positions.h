@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "app/scene/exhibits.h"
 #include "app/scene/keys.h"
 
 namespace app {
@@ -25,9 +26,14 @@ void for_each_position(const Document& document, const Key& key, std::string_vie
   }
 }
 
+// An exhibit has only the keys of its kind.
 template <class Visit>
 void for_each_position(const Document& document, const Key& key, const Visit& visit) {
-  for_each_position(document, key, key.path, {}, 0, visit);
+  const bool of_exhibit = parent(key.path) == "exhibit[]";
+  for_each_position(document, key, key.path, {}, 0, [&](const Indices& indices) {
+    const auto k = static_cast<std::size_t>(indices[0]);
+    if (!of_exhibit || exhibit_has(document.exhibits[k].kind, last_name(key.path))) visit(indices);
+  });
 }
 
 }  // namespace app

@@ -33,8 +33,9 @@ std::string choice_text(const std::vector<std::string_view>& choices) {
 
 std::string list_kind_text(const Form& form, std::string_view what) {
   const auto [least, most] = form.size;
-  const std::string count =
-      least == most ? std::to_string(most) : std::to_string(least) + " or " + std::to_string(most);
+  const std::string count = least == most
+                                ? std::to_string(most)
+                                : std::to_string(least) + (most > least + 1 ? " to " : " or ") + std::to_string(most);
   return "a list of " + count + " " + std::string(what);
 }
 

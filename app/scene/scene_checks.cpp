@@ -21,6 +21,13 @@ bool given(const Places& places, const std::string& path, const Key& key) {
   return places.contains(path) || (key.kind == Kind::list && places.contains(path + ".0"));
 }
 
+// Something must be seen: a body, or what an exhibit shows without one.
+void check_subject(const Places& places, Mistakes& mistakes) {
+  const auto given = [&](const std::string& list) { return places.contains(list) || places.contains(list + ".0"); };
+  if (!given("body") && !given("exhibit"))
+    mistakes.refuse("", "'body' is missing: " + std::string(find_key("body[]")->meaning));
+}
+
 // `table` is the path of a table that is present, `pattern` its pattern.
 void check_required(std::string_view table, std::string_view pattern, const Places& places, Mistakes& mistakes) {
   for (const Key& key : keys()) {
@@ -119,24 +126,26 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-void check_body_name(const sim::Scene& scene, const std::string& name, const std::string& path, Mistakes& mistakes) {
-  if (scene.bodies.empty()) return;  // refused already
+void check_body_name(const Document& document, const std::string& name, const std::string& path, Mistakes& mistakes) {
+  const sim::Scene& scene = document.scene;
+  if (scene.bodies.empty() && document.exhibits.empty()) return;  // refused already
   if (std::ranges::find(scene.bodies, name, &sim::Body::name) != scene.bodies.end()) return;
   std::vector<std::string> names;
   for (const sim::Body& body : scene.bodies) names.push_back(body.name);
   const std::vector<std::string_view> views(names.begin(), names.end());
-  mistakes.refuse(path, "there is no such body; there are: " + listed(names) + suggestion(name, views));
+  const std::string known = names.empty() ? " and no other" : "; there are: " + listed(names);
+  mistakes.refuse(path, "there is no such body" + known + suggestion(name, views));
 }
 
 // A kind has its own keys among those of all exhibits.
 void check_exhibits(const std::vector<Item>& items, const Document& document, Mistakes& mistakes) {
   for (const Item& item : items) {
-    if (parent(item.key->path) != "exhibit[]" || last_name(item.key->path) == "kind") continue;
-    const ExhibitKind* kind = find_exhibit_kind(document.exhibits[static_cast<std::size_t>(item.indices[0])].kind);
-    if (kind == nullptr || std::ranges::find(kind->keys, last_name(item.key->path)) != kind->keys.end()) continue;
-    const std::vector<std::string> names(kind->keys.begin(), kind->keys.end());
-    mistakes.refuse(item.path,
-                    "is no key of the exhibit \"" + std::string(kind->name) + "\"; it has: " + listed(names));
+    if (parent(item.key->path) != "exhibit[]") continue;
+    const std::string& kind = document.exhibits[static_cast<std::size_t>(item.indices[0])].kind;
+    if (exhibit_has(kind, last_name(item.key->path))) continue;
+    const std::vector<std::string_view>& known = find_exhibit_kind(kind)->keys;
+    const std::vector<std::string> names(known.begin(), known.end());
+    mistakes.refuse(item.path, "is no key of the exhibit \"" + kind + "\"; it has: " + listed(names));
   }
 }
 
@@ -150,7 +159,7 @@ void check_picture(const Document& document, Mistakes& mistakes) {
       mistakes.refuse("camera.up", "must not lie along the line from camera.eye to camera.target");
     }
   }
-  if (!camera.follow.empty()) check_body_name(document.scene, camera.follow, "camera.follow", mistakes);
+  if (!camera.follow.empty()) check_body_name(document, camera.follow, "camera.follow", mistakes);
   check_times(camera.keyframes, "camera.keyframes", mistakes);
   for (const std::string& name : caption_names(document.look.caption)) {
     if (find_caption_value(name)) continue;
@@ -168,6 +177,7 @@ void check_picture(const Document& document, Mistakes& mistakes) {
 
 void check_presence(const std::vector<Item>& items, const Places& places, Mistakes& mistakes) {
   check_required("", "", places, mistakes);
+  check_subject(places, mistakes);
   for (const Item& item : items) {
     if (item.key->kind != Kind::table && item.key->kind != Kind::list) continue;
     check_position(item, places, mistakes);
@@ -206,7 +216,7 @@ void check_consistency(const std::vector<Item>& items, const Document& document,
     check_body(scene.bodies[i], "body." + std::to_string(i), mistakes);
   }
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    check_body_name(scene, scene.probes[i].body, "probe." + std::to_string(i) + ".body", mistakes);
+    check_body_name(document, scene.probes[i].body, "probe." + std::to_string(i) + ".body", mistakes);
   }
   check_exhibits(items, document, mistakes);
   check_picture(document, mistakes);

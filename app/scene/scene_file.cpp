@@ -114,26 +114,28 @@ void place_bodies(Document& document, Mistakes& mistakes) {
   }
 }
 
-// Whether every body has its mesh, so that the dimension of the scene is known.
-bool all_are_made(const sim::Scene& scene) {
-  return !scene.bodies.empty() &&
-         std::ranges::none_of(scene.bodies, [](const sim::Body& body) { return body.mesh.element_count() == 0; });
+// Whether every body has its mesh, so that the dimension of the scene is known. A page of exhibits alone is plane.
+bool all_are_made(const Document& document) {
+  const std::vector<sim::Body>& bodies = document.scene.bodies;
+  if (bodies.empty()) return !document.exhibits.empty();
+  return std::ranges::none_of(bodies, [](const sim::Body& body) { return body.mesh.element_count() == 0; });
 }
 
 Document make_document(const std::vector<Item>& items, const std::filesystem::path& scene, const Places& places,
                        Mistakes& mistakes) {
   Document document;
+  document.folder = scene.parent_path();
   check_presence(items, places, mistakes);
   apply(items, document);
   choose_substeps(document.scene.time, places);
   mistakes.next_stage();
-  make_bodies(document, scene.parent_path(), places, mistakes);
+  make_bodies(document, document.folder, places, mistakes);
   mistakes.next_stage();
-  const bool made = all_are_made(document.scene);
+  const bool made = all_are_made(document);
   if (made) check_dimension(items, document.scene.dimension, mistakes);
   mistakes.next_stage();
   if (made) place_bodies(document, mistakes);
-  if (made) read_starts(document, scene.parent_path(), mistakes);
+  if (made) read_starts(document, document.folder, mistakes);
   check_consistency(items, document, mistakes);
   return document;
 }

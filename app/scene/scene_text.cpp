@@ -65,6 +65,8 @@ Node filled(const Document& document, const std::filesystem::path& folder) {
       if (!value) return;
       if (key.path == "body[].mesh.file" || key.path == "body[].start.file")
         value = relative_path(std::get<std::string>(*value), folder);
+      if (key.path == "exhibit[].problem")
+        value = relative_path(document.folder / std::get<std::string>(*value), folder);
       put(root, path_at(key.path, indices), value_text(key, *value, dimension));
     });
   }

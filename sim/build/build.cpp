@@ -103,7 +103,7 @@ void place_nodes(Model& model) {
       model.X.segment(static_cast<Eigen::Index>(range.first_node + i) * model.D, range.mesh->dimension()) =
           range.mesh->X.col(i);
   }
-  model.bound = 1e12 * model.X.cwiseAbs().maxCoeff();
+  model.bound = 1e12 * model.X.lpNorm<Eigen::Infinity>();
 }
 
 // Where the bodies start; each has random numbers of its own.
@@ -228,7 +228,7 @@ void form_pattern(Parts& parts) {
                                           "\" does not solve scenes with a [[contact]]: take cholmod or pcg");
   if (!model.contacts.empty() && by_itself) model.solver.linear = LinearSolverKind::cholmod;
   model.solver.linear = settled_solver(model.solver.linear, model.dofs());
-  if (by_itself)
+  if (by_itself && model.node_count > 0)
     parts.remarks.push_back(!model.contacts.empty() ? "solver: CHOLMOD, as bodies may touch"
                             : model.solver.linear == LinearSolverKind::two_level
                                 ? "solver: conjugate gradients on two levels, for this size"

@@ -42,6 +42,19 @@ Errors measure(const Problem& problem, const Trial& trial, bool self_adjoint) {
   return errors;
 }
 
+Vector weighted_residuals(const Problem& problem, const Trial& trial) {
+  const Eigen::Index n = trial.coefficients().size();
+  const Grid grid = gauss_grid(problem, static_cast<int>(n));
+  Vector sums = Vector::Zero(n);
+  std::vector<Sample> u(n);
+  for (Eigen::Index p = 0; p < grid.x.size(); ++p) {
+    const Real x = grid.x[p], r = apply(problem, x, trial.at(x)) - problem.f(x).value;
+    trial.basis().sample(x, u);
+    for (Eigen::Index i = 0; i < n; ++i) sums[i] += grid.weight[p] * u[i].value * r;
+  }
+  return sums;
+}
+
 Real order(const Basis& basis, int n, Real error_n, int m, Real error_m) {
   const int ends = basis.smooth ? 0 : 1;
   return std::log(error_n / error_m) / std::log(Real(m + ends) / Real(n + ends));

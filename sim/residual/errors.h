@@ -20,6 +20,9 @@ struct Errors {
 // The problem's exact function must be there.
 Errors measure(const Problem& problem, const Trial& trial, bool self_adjoint);
 
+// int u_i (L u_n - f) for every u_i of a smooth basis: what Galerkin's method makes zero.
+Vector weighted_residuals(const Problem& problem, const Trial& trial);
+
 // Observed order of an error that falls like h^order, from n to m terms: h is the cell 1/(n + 1) of hats, else 1/n.
 Real order(const Basis& basis, int n, Real error_n, int m, Real error_m);
 

@@ -250,6 +250,7 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
 
 bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
                    StepReport& report) {
+  if (model_.node_count == 0) return true;  // a scene without bodies
   const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
   const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
   const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;

@@ -20,7 +20,7 @@ bool finish_step(const Model& model, TangentOperator& tangent, const State& stat
   measure_J(model, tangent, state, report);
   if (!state.x.allFinite() || !state.v.allFinite())
     report.failure = "positions or velocities are not finite";
-  else if (state.x.cwiseAbs().maxCoeff() > model.bound)
+  else if (state.x.lpNorm<Eigen::Infinity>() > model.bound)
     report.failure = "positions have left all bounds (1e12 sizes of the scene): the step is unstable";
   return report.failure.empty();
 }

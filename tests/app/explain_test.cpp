@@ -42,6 +42,18 @@ TEST_F(Explain, SaysTheTimesOfTheRun) {
   EXPECT_EQ(said(said(with("time.integrator", "sdirk2")), "integrator"), "sdirk2");
 }
 
+// A static system weighs with consistent mass; the limit is that of the mass that the scene names.
+TEST_F(Explain, AStaticSceneHasTheLimitOfItsOwnMass) {
+  const auto limit = [&](const std::string& integrator, const std::string& mass) {
+    Options changed = with("time.integrator", integrator);
+    changed.overrides.push_back({"body.0.mass", mass, "--set body.0.mass=" + mass});
+    return std::stod(said(said(changed), "stable h"));
+  };
+  for (const char* const mass : {"lumped", "consistent"})
+    EXPECT_EQ(limit("static", mass), limit("backward-euler", mass)) << mass;
+  EXPECT_LT(limit("static", "consistent"), 0.9 * limit("static", "lumped"));
+}
+
 // 4 x 2 x 2 cells of six tets each, 5 x 3 x 3 nodes, of which the 3 x 3 at the left are held. An edge of the mesh is an
 // edge of a cell (96), a diagonal of a face between cells (68) or of a cell (16): two blocks of the matrix for each,
 // and one for each node.

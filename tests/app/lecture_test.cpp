@@ -7,10 +7,13 @@
 #include "app/base/exit_code.h"
 #include "app/command/commands.h"
 #include "app/exhibit/exhibit.h"
+#include "app/exhibit/print.h"
 #include "app/picture/frame_history.h"
 #include "app/scene/deck.h"
+#include "app/scene/scene_text.h"
 #include "sim/stepper.h"
 #include "tests/app/workbench_scene.h"
+#include "tests/sim/residual/problems.h"
 
 namespace app {
 namespace {
@@ -26,9 +29,16 @@ Options page(const std::filesystem::path& file) {
   return options;
 }
 
+// Keys and values, as --set has them.
+using Changes = std::vector<std::pair<std::string, std::string>>;
+Options changed(Options options, const Changes& changes) {
+  for (const auto& [key, value] : changes) options.overrides.push_back({key, value, "--set"});
+  return options;
+}
+
 // The sheets of the first frames of a page.
-std::vector<render::Sheet> sheets(const std::filesystem::path& file, int frames) {
-  const Simulation simulation = build_simulation(page(file));
+std::vector<render::Sheet> sheets(const std::filesystem::path& file, int frames, const Changes& changes = {}) {
+  const Simulation simulation = build_simulation(changed(page(file), changes));
   FrameHistory history(simulation);
   const auto stepper = sim::make_stepper(*simulation.system, 1);
   sim::State state = simulation.system->initial_state();
@@ -114,6 +124,101 @@ TEST(LecturePages, ShowTheNumbersThatProveThem) {
   EXPECT_EQ(text_of(order, "order"), "1.99");
 }
 
+// With another basis, other rows, another matrix: low_dimensional.json as it is printed.
+TEST(LecturePages, FiveVectorsAreThoseOfTheTable) {
+  const std::filesystem::path file = deck_folder / "04-five-vectors.toml";
+  const render::Sheet sheet = sheets(file, 1)[0];
+  EXPECT_EQ(text_of(sheet, "rows.residual"), "1134.05");
+  EXPECT_EQ(text_of(sheet, "least-squares.residual"), "69.52");
+  EXPECT_EQ(text_of(sheet, "galerkin.energy"), "1.3757");
+  EXPECT_EQ(text_of(sheet, "energy.energy"), "1.3757");
+  EXPECT_EQ(text_of(sheet, "galerkin.distance"), "0.04103");
+  EXPECT_EQ(text_of(sheet, "projection.distance"), "0.03256");
+  EXPECT_LT(std::stod(sheet.proof.text), 1e-9);
+  // Each is least in its own norm, Galerkin and the energy in the same.
+  const auto& table = std::get<render::Table>(sheet.blocks[0].items[0]);
+  EXPECT_EQ(table.boxed, (std::vector<std::array<int, 2>>{{1, 0}, {2, 1}, {3, 1}, {4, 2}}));
+  const auto with = [&](const std::string& key, const std::string& value) {
+    return sheets(file, 1, {{"exhibit.0." + key, value}})[0];
+  };
+  EXPECT_NEAR(std::stod(text_of(with("rows", "first"), "rows.residual")), 25451.72, 0.1) << "digits are lost there";
+  EXPECT_EQ(text_of(with("rows", "pivoted"), "rows.residual"), "90.06");
+  EXPECT_EQ(text_of(with("values", "[33, 67, 100, 134, 167]"), "rows.residual"), "1134.05");
+  EXPECT_EQ(text_of(with("basis", "sines"), "galerkin.energy"), "0.9276");
+  const render::Sheet wind = with("wind", "30.0");
+  EXPECT_EQ(text_of(wind, "galerkin.distance"), "0.05857");
+  EXPECT_EQ(text_of(wind, "energy.distance"), "0.75435");
+  EXPECT_EQ(text_of(with("method", "energy"), "energy.c11"), "0.6906");
+  EXPECT_NE(error_of([&] { with("values", "[1, 2, 3, 4, 4]"); }).find("exhibit.0.values"), std::string::npos);
+  EXPECT_NE(error_of([&] { with("values", "[1, 2, 3]"); }).find("as many rows as vectors, 5"), std::string::npos);
+  EXPECT_NE(error_of([&] { with("method", "luck"); }).find("must be rows, least-squares"), std::string::npos);
+}
+
+// The last row of a method, as residuals.csv has it for n = 4, is what the page prints.
+TEST(LecturePages, WeightedResidualsAreThoseOfTheTable) {
+  const std::filesystem::path file = deck_folder / "05-weighted-residuals.toml";
+  std::map<std::string, render::Sheet> shown;  // by problem and basis
+  int compared = 0;
+  for (const auto& row : sim::test::rows_of("residuals.csv")) {
+    const std::string &problem = row[0], &basis = row[1], &method = row[2];
+    if (row[3] != "4" || method == "ritz-anyway") continue;
+    if (!shown.contains(problem + basis))
+      shown[problem + basis] = sheets(file, 3,
+                                      {{"exhibit.0.problem", deck_folder / "problems" / (problem + ".toml")},
+                                       {"exhibit.0.basis", basis},
+                                       {"exhibit.0.pace", "0.0333333"}})
+                                   .back();
+    const render::Sheet& sheet = shown.at(problem + basis);
+    EXPECT_EQ(text_of(sheet, method + ".L2"), printed("%.3e", std::stod(row[4]))) << problem << basis << method;
+    EXPECT_EQ(text_of(sheet, method + ".H1"), printed("%.3e", std::stod(row[5]))) << problem << basis << method;
+    EXPECT_EQ(text_of(sheet, method + ".residual"), row[7].empty() ? "none" : printed("%.3e", std::stod(row[7])));
+    ++compared;
+  }
+  EXPECT_GT(compared, 30);
+  const render::Sheet& a = shown.at("Apolynomials");
+  EXPECT_EQ(a.proof.text, "0.008730");
+  EXPECT_EQ(a.proof_label, "least H₁ error, Galerkin:");
+  EXPECT_EQ(text_of(a, "least-squares.residual"), "1.707e-01");
+  const auto& table = std::get<render::Table>(a.blocks[0].items[0]);
+  EXPECT_NE(std::ranges::find(table.boxed, std::array{2, 2}), table.boxed.end()) << "squares: least residual";
+  EXPECT_NE(std::ranges::find(table.boxed, std::array{3, 1}), table.boxed.end()) << "Galerkin: least H1";
+  EXPECT_EQ(text_of(shown.at("C0.1polynomials"), "ritz.H1"), "refused");
+  EXPECT_EQ(text_of(shown.at("Ahats"), "collocation-gauss.L2"), "refused");
+}
+
+TEST(LecturePages, PointsOfCollocationAreThoseThatAreGiven) {
+  const std::filesystem::path file = deck_folder / "05-weighted-residuals.toml";
+  const auto with = [&](const Changes& changes) { return sheets(file, 1, changes)[0]; };
+  // Those of Gauss, (1 -+ 1/sqrt 3)/2.
+  const render::Sheet sheet = with({{"exhibit.0.values", "[0.2113248654051871, 0.7886751345948129]"}});
+  EXPECT_EQ(text_of(sheet, "collocation-own.L2"), text_of(sheet, "collocation-gauss.L2"));
+  EXPECT_EQ(sheet.diagrams[1].dots.size(), 2U);
+  const render::Sheet twice = with({{"exhibit.0.values", "[0.3, 0.3]"}});
+  EXPECT_EQ(text_of(twice, "collocation-own.L2"), "refused");
+  EXPECT_NE(error_of([&] { with({{"exhibit.0.values", "[0.5, 1.0]"}}); }).find("between 0 and 1"), std::string::npos);
+  const std::string missing = error_of([&] { with({{"exhibit.0.problem", "problems/Z.toml"}}); });
+  EXPECT_NE(missing.find("exhibit.0.problem"), std::string::npos) << missing;
+  EXPECT_NE(missing.find("Z.toml: cannot be read"), std::string::npos) << missing;
+}
+
+TEST(LecturePages, RitzIsRefusedWhereItDoesNotApply) {
+  const std::filesystem::path file = deck_folder / "06-self-adjoint.toml";
+  const auto with = [&](const Changes& changes) { return sheets(file, 1, changes)[0]; };
+  const render::Sheet usual = with({{"exhibit.0.eps", "0.1"}});
+  EXPECT_EQ(usual.proof.text, "-0.0333333");
+  EXPECT_EQ(text_of(usual, "ritz.L2.4"), "refused");
+  EXPECT_EQ(text_of(usual, "galerkin.L2.4"), "0.01201838");
+  EXPECT_EQ(text_of(usual, "peclet"), "1.000");
+  const char* const straight[] = {"0.2000", "0.4000", "0.6000", "0.8000"};
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(text_of(usual, "hats.u" + std::to_string(i + 1) + "1"), straight[i]);
+  const render::Sheet anyway = with({{"exhibit.0.eps", "0.1"}, {"exhibit.0.anyway", "true"}});
+  for (const char* n : {"1", "2", "4", "8"}) EXPECT_EQ(text_of(anyway, std::string("ritz.L2.") + n), "0.53225795");
+  const render::Sheet thin = with({{"exhibit.0.eps", "0.01"}});
+  EXPECT_EQ(text_of(thin, "hats.u11"), "-0.3962");
+  EXPECT_EQ(text_of(thin, "hats.u41"), "1.1304");
+  EXPECT_EQ(text_of(thin, "asymmetry"), "-0.0333333") << "whatever eps is";
+}
+
 // Other materials, other numbers: the torque of a triangle that is not rotation invariant.
 TEST(LecturePages, FollowTheSceneThatTheyAreGiven) {
   Options options = page(deck_folder / "09-x-ray.toml");
@@ -122,6 +227,41 @@ TEST(LecturePages, FollowTheSceneThatTheyAreGiven) {
   render::Sheet sheet;
   make_exhibits(simulation.document, *simulation.system)[0]->show(simulation.system->initial_state(), sheet);
   EXPECT_EQ(sheet.proof.text, "24399.038");
+}
+
+// A page of numbers alone is a scene: explained, run and recorded as any other.
+TEST(LecturePages, NeedNoBody) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "scene.toml";
+  write_all(file, "[time]\nseconds = 0.1\n[[exhibit]]\nkind = \"five-vectors\"\n");
+  const Simulation simulation = build_simulation(page(file));
+  EXPECT_EQ(simulation.system->counts().dofs, 0);
+  EXPECT_EQ(simulation.system->dimension(), 2);
+  Options options = page(file);
+  EXPECT_EQ(explain(options), exit_done);
+  options.out = folder / "run";
+  EXPECT_EQ(record(options), exit_done);
+  EXPECT_NE(read_all(folder / "run/numbers.csv").find("0,galerkin.energy,"), std::string::npos);
+  // What it was is read again from the folder of the run, with the files that it names.
+  const Simulation again = build_simulation(page(folder / "run/run.toml"));
+  EXPECT_EQ(again.identity, simulation.identity);
+  write_all(file, "[[exhibit]]\nkind = \"x-ray\"\n");
+  const Simulation without = build_simulation(page(file));
+  const std::string error = error_of([&] { make_exhibits(without.document, *without.system); });
+  EXPECT_NE(error.find(":2: exhibit.0.kind"), std::string::npos) << error;
+  EXPECT_NE(error.find("there is none"), std::string::npos) << error;
+}
+
+// The folder of a run has the whole scene, with every key that is the exhibit's and files by their way from there.
+TEST(LecturePages, AreReadAgainAsTheyWereWritten) {
+  const TemporaryFolder folder;
+  for (const std::filesystem::path& file : pages_of(deck_folder)) {
+    SCOPED_TRACE(file.filename());
+    const Simulation simulation = build_simulation(page(file));
+    write_all(folder / "page.toml", scene_toml(simulation.document, folder.path()));
+    EXPECT_EQ(build_simulation(page(folder / "page.toml")).identity, simulation.identity);
+    EXPECT_EQ(sheets(folder / "page.toml", 1)[0].proof.text, sheets(file, 1)[0].proof.text);
+  }
 }
 
 TEST(LecturePages, KeysOfOtherExhibitsAreRefused) {
@@ -155,6 +295,38 @@ class LectureRuns : public testing::Test {
     }
     return all;
   }
+  // Drags a ring of a diagram and takes a step, with a log. What is seen then is what the replay writes.
+  render::Sheet dragged(const std::string& file, std::size_t diagram, const render::Spot& from,
+                        const render::Spot& to) {
+    Options options = page(deck_folder / file);
+    options.log = folder_ / (file + ".session");
+    constexpr int width = 640, height = 360;
+    Workbench bench(options, std::make_unique<Session>(options));
+    const auto mouse = [&](render::WindowEvent::Kind kind, const render::Spot& at) {
+      render::WindowEvent event{kind};
+      event.x = static_cast<float>(at[0]);
+      event.y = static_cast<float>(at[1]);
+      bench.handle(event, width, height, false);
+    };
+    const render::Diagram shown = bench.frame(width, height).sheet->diagrams[diagram];
+    mouse(render::WindowEvent::Kind::press, render::to_page(shown, from, width, height));
+    mouse(render::WindowEvent::Kind::move, render::to_page(shown, to, width, height));
+    mouse(render::WindowEvent::Kind::release, render::to_page(shown, to, width, height));
+    EXPECT_EQ(bench.message(), "");
+    bench.act(Action::step);
+    const render::Sheet seen = *bench.frame(width, height).sheet;
+    bench.finish();
+    Options again = page(options.scene);
+    again.replay = options.log;
+    again.out = folder_ / (file + ".replayed");
+    EXPECT_EQ(record(again), exit_done);
+    const auto written = numbers(again.out / "numbers.csv");
+    for (const render::Number& number : render::numbers_of(seen)) {
+      const std::string name = "1," + number.name;
+      EXPECT_TRUE(written.contains(name) && written.at(name) == number.text) << name;
+    }
+    return seen;
+  }
   TemporaryFolder folder_;
 };
 
@@ -176,34 +348,23 @@ TEST_F(LectureRuns, NumbersCsvHoldsWhatTheFramesShow) {
   EXPECT_EQ(written.size(), rows);
 }
 
-// A corner of the x-ray is dragged until the triangle is turned over; the replay writes the numbers that were seen.
+// A corner of the x-ray is dragged until the triangle is turned over.
 TEST_F(LectureRuns, ADragIsAnInputOfTheSession) {
-  Options options = page(deck_folder / "09-x-ray.toml");
-  options.log = folder_ / "session.toml";
-  constexpr int width = 640, height = 360;
-  Workbench bench(options, std::make_unique<Session>(options));
-  const auto mouse = [&](render::WindowEvent::Kind kind, const render::Spot& at) {
-    render::WindowEvent event{kind};
-    event.x = static_cast<float>(at[0]);
-    event.y = static_cast<float>(at[1]);
-    bench.handle(event, width, height, false);
-  };
-  const render::Diagram diagram = bench.frame(width, height).sheet->diagrams[1];
-  mouse(render::WindowEvent::Kind::press, render::to_page(diagram, {0.3, 1.9}, width, height));
-  mouse(render::WindowEvent::Kind::move, render::to_page(diagram, {0.8, -0.9}, width, height));
-  mouse(render::WindowEvent::Kind::release, render::to_page(diagram, {0.8, -0.9}, width, height));
-  EXPECT_EQ(bench.message(), "");
-  bench.act(Action::step);
-  const render::Sheet seen = *bench.frame(width, height).sheet;
+  const render::Sheet seen = dragged("09-x-ray.toml", 1, {0.3, 1.9}, {0.8, -0.9});
   EXPECT_EQ(text_of(seen, "J")[0], '-') << "the triangle is turned over";
   EXPECT_EQ(text_of(seen, "Ds12"), "0.600");
-  bench.finish();
-  Options again = page(options.scene);
-  again.replay = options.log;
-  again.out = folder_ / "replayed";
-  ASSERT_EQ(record(again), exit_done);
-  const auto written = numbers(folder_ / "replayed/numbers.csv");
-  for (const render::Number& number : render::numbers_of(seen)) EXPECT_EQ(written.at("1," + number.name), number.text);
+}
+
+TEST_F(LectureRuns, PointsRowsAndEpsAreDragged) {
+  const render::Sheet points = dragged("05-weighted-residuals.toml", 1, {0.5, 0}, {0.25, 0.4});
+  EXPECT_EQ(points.diagrams[1].dots.size(), 1U);
+  EXPECT_NEAR(points.diagrams[1].dots[0].at[0], 0.25, 1e-6);
+  EXPECT_NE(text_of(points, "collocation-own.L2"), text_of(points, "collocation-gauss.L2"));
+  const render::Sheet rows = dragged("04-five-vectors.toml", 0, {33.0 / 201, 0}, {1.0 / 201, 0});
+  EXPECT_NE(text_of(rows, "rows.residual"), "1134.05");
+  const render::Sheet eps = dragged("06-self-adjoint.toml", 1, {0, 0}, {-1, 0});
+  EXPECT_EQ(text_of(eps, "eps"), "0.1000");
+  EXPECT_EQ(text_of(eps, "peclet"), "1.000");
 }
 
 TEST_F(LectureRuns, PagesAreTurned) {

@@ -29,7 +29,8 @@ constexpr Binding bodies = {
 
 std::vector<Key> body_keys() {
   return {
-      {"body[]", Form(Kind::list).needed(), bodies, "An elastic body."},
+      {"body[]", Form(Kind::list).otherwise("required; not beside an exhibit that needs none"), bodies,
+       "An elastic body."},
       {"body[].name", Form(Kind::name).tells(Effect::restart).otherwise("body0, body1, ..."),
        field<body_of, &sim::Body::name>, "The name by which probes, springs and messages refer to the body."},
       {"body[].thickness", Form(Kind::number, "m", above(0)), field<body_of, &sim::Body::thickness>,

@@ -31,9 +31,26 @@ std::vector<Key> exhibit_keys() {
        unless_empty<exhibit_of, &ExhibitSpec::nodes>, "Where the nodes of the element are held; a ring is dragged."},
       {"exhibit[].values", Form(Kind::numbers).of_size(1, 1000).otherwise("as the exhibit chooses"),
        unless_empty<exhibit_of, &ExhibitSpec::values>,
-       "Numbers that can be dragged: values at nodes, collocation points."},
+       "Numbers that can be dragged: values at nodes, collocation points, numbers of rows."},
       {"exhibit[].basis", Form(Kind::text).otherwise("as the exhibit chooses"),
-       unless_empty<exhibit_of, &ExhibitSpec::basis>, "Functions or elements that it interpolates with."},
+       unless_empty<exhibit_of, &ExhibitSpec::basis>, "Functions or elements that it approximates with."},
+      {"exhibit[].method", Form(Kind::text).otherwise("one after the other"),
+       unless_empty<exhibit_of, &ExhibitSpec::method>,
+       "The method that is shown: one of `ritz residuals`; of \"five-vectors\" rows, least-squares, galerkin, energy "
+       "or "
+       "projection."},
+      {"exhibit[].rows", Form(Kind::text).otherwise("equal"), unless_empty<exhibit_of, &ExhibitSpec::rows>,
+       "Which rows of a large system are kept: \"equal\" (equally spaced), \"first\", or \"pivoted\" (those that a QR "
+       "decomposition takes first)."},
+      {"exhibit[].wind", Form(Kind::number), field<exhibit_of, &ExhibitSpec::wind>,
+       "Of the large system: how much of a central difference is added to its matrix, which is symmetric with 0 only."},
+      {"exhibit[].problem", Form(Kind::text).otherwise("as the exhibit chooses"),
+       unless_empty<exhibit_of, &ExhibitSpec::problem>,
+       "A problem file, as `ritz residuals` reads it; relative to the scene file."},
+      {"exhibit[].eps", Form(Kind::number, "", between(1e-3, 10)).otherwise("slides from 1 to 0.01"),
+       field<exhibit_of, &ExhibitSpec::eps>, "Diffusion in -eps u'' + u' = 1; a ring is dragged."},
+      {"exhibit[].anyway", Kind::boolean, field<exhibit_of, &ExhibitSpec::anyway>,
+       "Ritz's method is used although the problem is not self-adjoint."},
   };
 }
 

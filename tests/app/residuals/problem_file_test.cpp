@@ -43,11 +43,18 @@ TEST(ProblemFile, TellsLineAndColumnOfAWrongExpression) {
   expect_error("f = \"\"", "p.toml:1:6:", "missing at the end");
   expect_error("f = \"\"\"\n1 + y\"\"\"", "p.toml:1:5:", "at character 5");
   expect_error("f = 1", "p.toml:1:", "in quotes");
+  // Of a long expression what is about the mistake.
+  std::string long_sum;
+  for (int i = 0; i < 10000; ++i) long_sum += "1+";
+  const std::string long_text = error_in("f = \"" + long_sum + "y+" + long_sum + "1\"");
+  EXPECT_LT(long_text.size(), 250u);
+  EXPECT_TRUE(long_text.starts_with("p.toml:1:20006: f = \"...")) << long_text;
 }
 
 TEST(ProblemFile, RefusesWhatItDoesNotKnow) {
   expect_error("f = \"1\"\nexcat = \"0\"", "p.toml:2:", "did you mean 'exact'?");
   expect_error("f = \"1\"\nbases = [\"cosines\"]", "p.toml:2:", "must be one of sines, polynomials, hats");
+  expect_error("f = \"1\"\nmethods = [3]", "p.toml:2: methods: '3' is not a method", "must be one of collocation");
   expect_error("f = \"1\"\nmethods = \"galerkin\"", "p.toml:2:", "must be a list");
   expect_error("f = \"1\"\nmethods = []", "p.toml:2:", "must be a list");
   expect_error("k = \"1\"", "p.toml", "f is missing");
@@ -62,12 +69,13 @@ TEST(ProblemFile, RefusesNumbersOfTermsOutOfRange) {
 
 TEST(ProblemFile, RefusesProblemsThatCannotBeSolved) {
   expect_error("f = \"1/0\"", "p.toml:1:", "f(0.001) = inf");
-  expect_error("f = \"sqrt(0-1)\"", "p.toml:1:", "must be a finite number");
+  expect_error("f = \"sqrt(0-1)\"", "p.toml:1:", "must be a number below");
   expect_error("f = \"1/(x-0.5)\"", "p.toml:1:", "f(0.5) =");
   expect_error("f = \"1/(x-1/3)\"", "p.toml:1:", "must be bounded");
   expect_error("f = \"1\"\nk = \"x - 0.5\"", "p.toml:2:", "k(0) = -0.5: must be > 0");
   expect_error("f = \"1\"\nk = \"x\"", "p.toml:2:", "k(0) = 0: must be > 0");
   expect_error("f = \"1\"\nq = \"-pi^2\"", "p.toml:1:", "no solution that is the only one");
+  expect_error("f = \"exp(1000)\"", "p.toml:1:", "f(0.001) = 1.97007e+434: must be a number below 1e100");
   expect_error("f = \"sin(1e7*x)\"", "p.toml:1:", "must not swing so fast");
 }
 
@@ -81,6 +89,8 @@ TEST(ProblemFile, TellsThatAFileCannotBeRead) {
   const TemporaryFolder folder;
   EXPECT_NE(error_of([&] { read_problem(folder / "none.toml"); }).find("cannot be read"), std::string::npos);
   EXPECT_NE(error_of([&] { read_problem(folder.path()); }).find("cannot be read"), std::string::npos);
+  write_all(folder / "empty.toml", "");
+  EXPECT_NE(error_of([&] { read_problem(folder / "empty.toml"); }).find("f is missing"), std::string::npos);
 }
 
 }  // namespace

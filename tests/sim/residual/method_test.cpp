@@ -150,6 +150,18 @@ TEST(Methods, TheResidualOfGalerkinIsOrthogonalToTheBasis) {
   }
 }
 
+// With one function, -x (1 - x): L u_n - f = -2 c - 1 for -u'' = 1.
+TEST(Methods, WeightedResidualsAreTheirIntegrals) {
+  Problem problem = test::problem_a();
+  problem.f = test::constant(1);
+  const Vector c = Vector::Constant(1, 0.3L);
+  EXPECT_NEAR(weighted_residuals(problem, Trial(polynomials, c))[0], (2 * 0.3 + 1) / 6, 1e-16);
+  const Problem b = test::problem_b();
+  const Vector found = galerkin(b, sines, 5).c, other = least_squares(b, sines, 5).c;
+  EXPECT_LT(weighted_residuals(b, Trial(sines, found)).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_GT(weighted_residuals(b, Trial(sines, other)).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 TEST(Methods, LeastSquaresAndGalerkinAreOneForEigenfunctions) {
   const Problem a = test::problem_a(), b = test::problem_b();
   EXPECT_LT((least_squares(a, sines, 6).c - galerkin(a, sines, 6).c).norm(), 1e-15);
