@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "render/ticks.h"
 
@@ -19,12 +20,24 @@ class Easel {
 
   void frame() const;
   void draw(const Patch& patch) const;
-  void draw(const Stroke& stroke) const;
+  void draw(const Stroke& stroke) const { draw(stroke, colour_of(stroke.ink), stroke.width * line_width(page_)); }
   void draw(const Dart& dart) const;
   void draw(const Dot& dot) const;
   void draw(const Word& word) const;
+  // The white border of what lies over a filled area: it is read on any colour, by a washed-out projector as well.
+  void lay_border(const Stroke& stroke) const { draw(stroke, white, stroke.width * line_width(page_) + 2 * border()); }
+  void lay_border(const Dart& dart) const;
+  void lay_border(const Dot& dot) const;
+  void lay_border(const Word& word) const;
 
  private:
+  static constexpr ImU32 white = IM_COL32_WHITE;
+
+  float border() const { return 0.7F * line_width(page_); }
+  void draw(const Stroke& stroke, ImU32 colour, float width) const;
+  struct Arrow;
+  std::optional<Arrow> arrow_of(const Dart& dart) const;
+  ImVec2 corner_of(const Word& word) const;
   void ticks_across(float low, float high, float bottom) const;
   void ticks_up(float left, float bottom, float top) const;
 
@@ -33,13 +46,17 @@ class Easel {
 };
 
 void Easel::ticks_across(float low, float high, float bottom) const {
-  const std::vector<double> places =
-      ticks(diagram_.x[0], diagram_.x[1], std::max(2, static_cast<int>((high - low) / (5 * page_.size))));
-  const std::vector<std::string> labels = tick_labels(places);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const float x = at({places[i], diagram_.y[0]}).x;
+  std::vector<Tick> marks = diagram_.x_ticks;
+  if (marks.empty()) {
+    const std::vector<double> places =
+        ticks(diagram_.x[0], diagram_.x[1], std::max(2, static_cast<int>((high - low) / (5 * page_.size))));
+    const std::vector<std::string> labels = tick_labels(places);
+    for (std::size_t i = 0; i < places.size(); ++i) marks.push_back({places[i], labels[i]});
+  }
+  for (const Tick& mark : marks) {
+    const float x = at({mark.at, diagram_.y[0]}).x;
     page_.list->AddLine({x, bottom}, {x, bottom - 0.3F * page_.size}, colour_of(Ink::black), line_width(page_));
-    page_.write(x, bottom + 0.15F * page_.size, labels[i], Align::centre, colour_of(Ink::black));
+    page_.write(x, bottom + 0.15F * page_.size, mark.label, Align::centre, colour_of(Ink::black));
   }
 }
 
@@ -84,16 +101,15 @@ void Easel::draw(const Patch& patch) const {
   page_.list->AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), IM_COL32(r, g, b, 255));
 }
 
-void Easel::draw(const Stroke& stroke) const {
+void Easel::draw(const Stroke& stroke, ImU32 colour, float width) const {
   std::vector<ImVec2> points;
   for (const Spot& spot : stroke.points) points.push_back(at(spot));
-  if (stroke.closed && !points.empty()) points.push_back(points.front());
-  const float width = stroke.width * line_width(page_);
-  const ImU32 colour = colour_of(stroke.ink);
   if (!stroke.dashed) {
-    page_.list->AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, width);
+    const ImDrawFlags closed = stroke.closed ? ImDrawFlags_Closed : ImDrawFlags_None;
+    page_.list->AddPolyline(points.data(), static_cast<int>(points.size()), colour, closed, width);
     return;
   }
+  if (stroke.closed && !points.empty()) points.push_back(points.front());
   // Dashes of the same length whatever the polyline's points are.
   const float dash = 4 * line_width(page_);
   float done = 0;
@@ -111,16 +127,34 @@ void Easel::draw(const Stroke& stroke) const {
   }
 }
 
-void Easel::draw(const Dart& dart) const {
+// Where its point and the corners of its head are; none where it is too short to be seen.
+struct Easel::Arrow {
+  ImVec2 tail, neck, left, right, tip;
+};
+
+std::optional<Easel::Arrow> Easel::arrow_of(const Dart& dart) const {
   const ImVec2 a = at(dart.from), b = at(dart.to);
-  const float length = std::hypot(b.x - a.x, b.y - a.y), width = 1.2F * line_width(page_);
-  if (!(length > 0.5F)) return;
+  const float length = std::hypot(b.x - a.x, b.y - a.y);
+  if (!(length > 0.5F)) return std::nullopt;
   const ImVec2 along{(b.x - a.x) / length, (b.y - a.y) / length}, side{-along.y, along.x};
   const float head = std::min(0.6F * page_.size, 0.6F * length), half = 0.45F * head;
   const ImVec2 neck{b.x - head * along.x, b.y - head * along.y};
-  page_.list->AddLine(a, neck, colour_of(dart.ink), width);
-  page_.list->AddTriangleFilled(b, {neck.x + half * side.x, neck.y + half * side.y},
-                                {neck.x - half * side.x, neck.y - half * side.y}, colour_of(dart.ink));
+  return Arrow{
+      a, neck, {neck.x + half * side.x, neck.y + half * side.y}, {neck.x - half * side.x, neck.y - half * side.y}, b};
+}
+
+void Easel::draw(const Dart& dart) const {
+  const std::optional<Arrow> arrow = arrow_of(dart);
+  if (!arrow) return;
+  page_.list->AddLine(arrow->tail, arrow->neck, colour_of(dart.ink), 1.2F * line_width(page_));
+  page_.list->AddTriangleFilled(arrow->tip, arrow->left, arrow->right, colour_of(dart.ink));
+}
+
+void Easel::lay_border(const Dart& dart) const {
+  const std::optional<Arrow> arrow = arrow_of(dart);
+  if (!arrow) return;
+  page_.list->AddLine(arrow->tail, arrow->neck, white, 1.2F * line_width(page_) + 2 * border());
+  page_.list->AddTriangle(arrow->tip, arrow->left, arrow->right, white, 2 * border());
 }
 
 void Easel::draw(const Dot& dot) const {
@@ -130,22 +164,40 @@ void Easel::draw(const Dot& dot) const {
   if (dot.ring) page_.list->AddCircle(place, 2.4F * radius, colour_of(dot.ink), 0, line_width(page_));
 }
 
+void Easel::lay_border(const Dot& dot) const {
+  const ImVec2 place = at(dot.at);
+  const float radius = 0.22F * page_.size;
+  page_.list->AddCircleFilled(place, radius + border(), white);
+  if (dot.ring) page_.list->AddCircle(place, 2.4F * radius, white, 0, line_width(page_) + 2 * border());
+}
+
+// The upper left corner of a word beside its spot, moved so that the word lies inside the diagram's place.
+ImVec2 Easel::corner_of(const Word& word) const {
+  const ImVec2 place = at(word.at), size = page_.measure(word.text);
+  const float gap = 0.6F * page_.size;
+  ImVec2 corner{place.x - size.x / 2, place.y - size.y / 2};
+  if (word.side == Side::right) corner.x = place.x + gap;
+  if (word.side == Side::left) corner.x = place.x - gap - size.x;
+  if (word.side == Side::above) corner.y = place.y - gap - size.y;
+  if (word.side == Side::below) corner.y = place.y + gap;
+  const auto inside = [](float start, float length, double low, double high) {
+    return std::max(static_cast<float>(low), std::min(start, static_cast<float>(high) - length));
+  };
+  const Box& box = diagram_.place;
+  return {inside(corner.x, size.x, box.left * page_.width, box.right * page_.width),
+          inside(corner.y, size.y, box.top * page_.height, box.bottom * page_.height)};
+}
+
 void Easel::draw(const Word& word) const {
-  const ImVec2 place = at(word.at);
-  const float gap = 0.6F * page_.size, half = 0.5F * page_.size;
-  const ImU32 colour = colour_of(word.ink);
-  switch (word.side) {
-    case Side::right:
-      return page_.write(place.x + gap, place.y - half, word.text, Align::left, colour);
-    case Side::left:
-      return page_.write(place.x - gap, place.y - half, word.text, Align::right, colour);
-    case Side::above:
-      return page_.write(place.x, place.y - gap - 2 * half, word.text, Align::centre, colour);
-    case Side::below:
-      return page_.write(place.x, place.y + gap, word.text, Align::centre, colour);
-    case Side::middle:
-      return page_.write(place.x, place.y - half, word.text, Align::centre, colour);
-  }
+  const ImVec2 corner = corner_of(word);
+  page_.write(corner.x, corner.y, word.text, Align::left, colour_of(word.ink));
+}
+
+void Easel::lay_border(const Word& word) const {
+  const ImVec2 corner = corner_of(word);
+  for (const float x : {-border(), 0.0F, border()})
+    for (const float y : {-border(), 0.0F, border()})
+      page_.write(corner.x + x, corner.y + y, word.text, Align::left, white);
 }
 
 }  // namespace
@@ -161,16 +213,30 @@ float line_width(const Page& page) {
 
 void draw_diagram(const Page& page, const Diagram& diagram) {
   const Easel easel(page, diagram);
+  // Curves end where the axes do; a drawing keeps to its place, with some room for arrows and rings.
+  const Box area = area_of(diagram, page.width, page.height);
+  const float room = diagram.axes ? 0.5F * line_width(page) : 0.3F * page.size;
+  const ImVec2 low{static_cast<float>(area.left) - room, static_cast<float>(area.top) - room};
+  const ImVec2 high{static_cast<float>(area.right) + room, static_cast<float>(area.bottom) + room};
+  page.list->PushClipRect(low, high, true);
   for (const Patch& patch : diagram.patches) easel.draw(patch);
-  easel.frame();
-  // Curves end where the axes do.
-  const ImVec2 low = easel.at({diagram.x[0], diagram.y[1]}), high = easel.at({diagram.x[1], diagram.y[0]});
-  if (diagram.axes) page.list->PushClipRect({low.x, low.y - 2}, {high.x + 2, high.y + 2}, true);
+  // All borders are below all lines, so that lines that cross are whole.
+  if (!diagram.patches.empty()) {
+    for (const Stroke& stroke : diagram.strokes) easel.lay_border(stroke);
+    for (const Dart& dart : diagram.darts) easel.lay_border(dart);
+    for (const Dot& dot : diagram.dots) easel.lay_border(dot);
+  }
   for (const Stroke& stroke : diagram.strokes) easel.draw(stroke);
-  if (diagram.axes) page.list->PopClipRect();
   for (const Dart& dart : diagram.darts) easel.draw(dart);
+  // The last dot of a curve is whole.
+  if (diagram.axes) page.list->PopClipRect();
   for (const Dot& dot : diagram.dots) easel.draw(dot);
-  for (const Word& word : diagram.words) easel.draw(word);
+  if (!diagram.axes) page.list->PopClipRect();
+  easel.frame();
+  for (const Word& word : diagram.words) {
+    if (!diagram.patches.empty()) easel.lay_border(word);
+    easel.draw(word);
+  }
 }
 
 }  // namespace render

@@ -43,7 +43,8 @@ void Overlay::load_fonts(bool lecture) {
   lecture_ = lecture;
   const float height = std::min(page_.height, 0.75F * page_.width);
   // Legible on a small picture, in proportion on a large one; a lecture's pages are the same at every size.
-  page_.size = std::round(lecture ? std::max(6.0F, per_em * height / 28) : std::max(11.0F, 0.029F * height));
+  const float side = static_cast<float>(measure_of(page_.width, page_.height));
+  page_.size = std::round(lecture ? std::max(6.0F, per_em * side / 28) : std::max(11.0F, 0.029F * height));
   page_.margin = std::round((lecture ? 0.6F : 0.9F) * page_.size);
   page_.text = load_font(*io.Fonts, "DejaVuSans.ttf", page_.size);
   page_.bold =
@@ -84,7 +85,10 @@ void Overlay::draw_labels(const Frame& frame, const View& view) const {
     if (!view.orthographic && at.z() < view.near_distance) continue;
     const ImVec2 size = page_.measure(label.text);
     const float top = std::max(at.y() - 1.9F * page_.size, highest);
-    page_.lay_plate({at.x() - size.x / 2 - pad, top - pad / 2}, {at.x() + size.x / 2 + pad, top + size.y + pad / 2});
+    const ImVec2 low{at.x() - size.x / 2 - pad, top - pad / 2}, high{at.x() + size.x / 2 + pad, top + size.y + pad / 2};
+    page_.lay_plate(low, high);
+    // A lecture's words are read on any colour.
+    if (lecture_) page_.list->AddRectFilled(low, high, IM_COL32_WHITE, 0.35F * page_.size);
     page_.write(at.x(), top, label.text, Align::centre, lecture_ ? colour_of(Ink::black) : Page::ink);
   }
 }
@@ -94,15 +98,16 @@ void Overlay::draw_sheet(const Frame& frame) const {
   const Sheet& sheet = *frame.sheet;
   for (const Diagram& diagram : sheet.diagrams) draw_diagram(page_, diagram);
   const float top = 0.8F * page_.margin + (frame.title.empty() ? 0 : 1.6F * page_.size);
-  draw_blocks(page_, sheet, static_cast<float>(sheet.column) * page_.width, top);
+  const float bottom = page_.height - page_.margin;
+  draw_blocks(page_, sheet, static_cast<float>(sheet.column) * page_.width, top, bottom - 1.9F * page_.size);
   Page formula = page_;
   if (lecture_) {
     formula.text = formula_;
     formula.size = 28.0F / 20 * page_.size;
   }
-  formula.write(page_.margin, page_.height - page_.margin - formula.size, sheet.formula, Align::left,
-                colour_of(Ink::black));
-  draw_proof(page_, sheet.proof_label, sheet.proof, {page_.width - page_.margin, page_.height - page_.margin});
+  formula.write(page_.margin, bottom - formula.size, sheet.formula, Align::left, colour_of(Ink::black));
+  draw_proof(page_, sheet.proof_label, sheet.proof, {page_.width - page_.margin, bottom},
+             page_.margin + formula.measure(sheet.formula).x);
 }
 
 void Overlay::draw_words(const Frame& frame, const View& view, ImVec2 strips) const {

@@ -13,7 +13,7 @@ struct Frameless {
 };
 
 Frameless inner(const Diagram& d, double width, double height) {
-  const double letter = height / 24;  // room for a title and numbers at the axes
+  const double letter = measure_of(width, height) / 24;  // room for a title and numbers at the axes
   Frameless f{d.place.left * width,
               d.place.top * height,
               (d.place.right - d.place.left) * width,
@@ -81,6 +81,15 @@ std::vector<Number> numbers_of(const Sheet& sheet) {
     for (const auto& item : block.items) std::visit([&](const auto& kind) { add(kind, all); }, item);
   if (!sheet.proof.text.empty()) all.push_back(sheet.proof);
   return all;
+}
+
+double measure_of(double width, double height) {
+  return std::min(height, width * 9 / 16);
+}
+
+Box area_of(const Diagram& diagram, double width, double height) {
+  const Frameless f = inner(diagram, width, height);
+  return {f.left, f.top, f.left + f.width, f.top + f.height};
 }
 
 Spot to_page(const Diagram& diagram, const Spot& spot, double width, double height) {

@@ -54,7 +54,12 @@ struct Box {
   double left = 0, top = 0, right = 1, bottom = 1;
 };
 
-// A plot, or a drawing to scale.
+struct Tick {
+  double at = 0;
+  std::string label = {};
+};
+
+// A plot, or a drawing to scale. What lies beyond its place is not drawn; words are moved inside.
 struct Diagram {
   Box place = {};                          // on the page
   std::string title = {};                  // above it
@@ -63,6 +68,7 @@ struct Diagram {
   bool axes = false;                       // with ticks and numbers
   bool logarithmic = false;                // y holds powers of ten: ticks say 10^y
   std::string x_label = {}, y_label = {};
+  std::vector<Tick> x_ticks = {};   // where there are none: round numbers
   std::vector<Patch> patches = {};  // in the order of their drawing
   std::vector<Stroke> strokes = {};
   std::vector<Dart> darts = {};
@@ -112,6 +118,13 @@ struct Sheet {
 
 // Every number of the sheet, in the order in which they are read.
 std::vector<Number> numbers_of(const Sheet& sheet);
+
+// The side that letters and margins are in proportion to: the height; of a page that is narrower than 16:9, what its
+// height would be at that width, so that nothing overlaps there either.
+double measure_of(double width, double height);
+
+// The part of a page of width x height pixels that the ranges of a diagram fill, in pixels.
+Box area_of(const Diagram& diagram, double width, double height);
 
 // Where a spot of a diagram is on a page of width x height pixels, and the spot that is there.
 Spot to_page(const Diagram& diagram, const Spot& spot, double width, double height);

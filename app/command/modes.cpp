@@ -57,6 +57,7 @@ class ModeBook {
         renderer_(*context_, options.width, options.height, options.samples) {
     simulation_.document.look.ghost = true;
     simulation_.document.look.colour = "plain";
+    simulation_.document.look.ground = false;  // a mode goes below as well
     // The whole body is seen, whatever the scene looks at.
     Camera& camera = simulation_.document.camera;
     camera.eye.reset();
@@ -75,6 +76,9 @@ class ModeBook {
   void write_body(std::size_t number, std::string& table) {
     const sim::BodyRange& body = simulation_.system->bodies()[number];
     const sim::Modes modes = sim::vibration_modes(simulation_.document.scene, number, options_.count);
+    if (const auto still = (modes.omega.array() == 0).count(); still > 0)
+      std::cerr << "note: " << body.name << ": " << still
+                << " of these modes cost no energy: rigid motions, or a flat membrane that moves across itself\n";
     for (Eigen::Index k = 0; k < modes.omega.size(); ++k) {
       const double omega = modes.omega[k], hertz = omega / (2 * std::numbers::pi);
       const std::string picture = picture_name(body, k);

@@ -55,12 +55,12 @@ class BarClocks : public Exhibit {
     const double exact = sim::bar_frequencies(length_, material.young, material.density, cells_, mode_).exact;
     render::Block block{"mode " + std::to_string(mode_) + " of " + std::to_string(cells_), {}};
     block.items.push_back(render::Line{"exact", number("exact", "%.4f", exact / (2 * pi), "Hz")});
-    render::Block limits{"h < 2/ω_max", {}};
+    render::Block limits{"h < 2/ωₘₐₓ", {}};
     for (const Bar& bar : bars_) {
       const double omega = bar.modes.omega[mode_ - 1];
       block.items.push_back(render::Line{bar.mass, number(bar.mass, "%.4f", omega / (2 * pi), "Hz"), bar.ink});
       block.items.push_back(
-          render::Line{"", number(bar.mass + ".error", "%+.2f", 100 * (omega / exact - 1), "%"), bar.ink});
+          render::Line{"  − exact", number(bar.mass + ".error", "%+.2f", 100 * (omega / exact - 1), "%"), bar.ink});
       limits.items.push_back(render::Line{
           bar.mass, number(bar.mass + ".limit", "%.4f", 2000 / bar.modes.omega[cells_ - 1], "ms"), bar.ink});
     }

@@ -22,6 +22,15 @@ Eigen::MatrixXd ExhibitBody::nodes(const Eigen::VectorXd& x) const {
       .reshaped(D, range().node_count);
 }
 
+Eigen::MatrixXd ExhibitBody::free_nodes(const Eigen::VectorXd& f, const sim::State& state) const {
+  Eigen::MatrixXd all = nodes(f);
+  for (const int node : system_.pinned_nodes(time(state))) {
+    const int own = node - range().first_node;
+    if (own >= 0 && own < range().node_count) all.col(own).setZero();
+  }
+  return all;
+}
+
 Eigen::MatrixXd ExhibitBody::element_nodes(int element, const sim::State& state) const {
   return sim::element_nodes(mesh(), element, range().first_node, state.x);
 }

@@ -24,6 +24,8 @@ class ExhibitBody {
   double time(const sim::State& state) const { return system_.time(state.step); }
   // Positions of the body's nodes, D x nodes; velocities likewise.
   Eigen::MatrixXd nodes(const Eigen::VectorXd& x) const;
+  // The same, with zeros at the nodes that are pinned: forces there are those of the pins, and much larger.
+  Eigen::MatrixXd free_nodes(const Eigen::VectorXd& f, const sim::State& state) const;
   Eigen::MatrixXd element_nodes(int element, const sim::State& state) const;
 
  private:

@@ -24,10 +24,11 @@ struct Fix {
   Definiteness kind;
   Ink ink;
   bool dashed;
+  render::Side side;  // of its name, at the path's end
 };
-constexpr Fix fixes[] = {{"none", Definiteness::none, Ink::red, false},
-                         {"clamp", Definiteness::clamp, Ink::black, true},
-                         {"abs", Definiteness::abs, Ink::blue, false}};
+constexpr Fix fixes[] = {{"none", Definiteness::none, Ink::red, false, render::Side::below},
+                         {"clamp", Definiteness::clamp, Ink::black, true, render::Side::left},
+                         {"abs", Definiteness::abs, Ink::blue, false, render::Side::right}};
 
 const char* name_of(const sim::NewtonPath& path) {
   if (path.singular) return "K = 0: stuck";
@@ -78,7 +79,7 @@ class DefinitenessFix : public Exhibit {
                              {name + ".end", ended ? name_of(path) : "...", ""}},
                             fixes[k].ink});
     }
-    sheet.blocks.push_back({"Newton on U(x), node " + std::to_string(free_ + 1) + " free", {table}});
+    sheet.blocks.push_back({"Newton on U of the free node", {table}});
     sheet.blocks.push_back(eigenvalues());
     sheet.formula = "Kₑ = Σ λ v vᵀ,   λ < 0 → 0 or |λ|";
     sheet.proof_label = "λ of K where “none” ends:";
@@ -135,7 +136,7 @@ class DefinitenessFix : public Exhibit {
         d.dots.push_back({stroke.points.back(), fixes[k].ink});
       }
       d.strokes.push_back(stroke);
-      if (last > 0) d.words.push_back({stroke.points.back(), fixes[k].name, fixes[k].ink});
+      if (shown > 0) d.words.push_back({stroke.points.back(), fixes[k].name, fixes[k].ink, fixes[k].side});
     }
     d.dots.push_back({spot(start_.segment<2>(2 * free_)), Ink::black, true});
     return d;
@@ -149,7 +150,7 @@ class DefinitenessFix : public Exhibit {
 
   // The six eigenvalues of the element's stiffness at the start, by fix.
   render::Diagram bars() const {
-    render::Diagram d{.place = {0.01, 0.67, 0.58, 0.87}, .title = "eigenvalues of Kₑ at the start: none, clamp, abs"};
+    render::Diagram d{.place = {0.01, 0.67, 0.58, 0.87}, .title = "eigenvalues of Kₑ at the start"};
     d.x = {-0.5, 20.5};
     double reach = 0;
     for (const Fix& fix : fixes) reach = std::max(reach, eigenvalues(fix.kind).cwiseAbs().maxCoeff());
@@ -157,6 +158,8 @@ class DefinitenessFix : public Exhibit {
     d.strokes.push_back({{{-0.5, 0}, {20.5, 0}}, Ink::black});
     for (std::size_t k = 0; k < std::size(fixes); ++k) {
       const Eigen::VectorXd values = eigenvalues(fixes[k].kind);
+      d.words.push_back(
+          {{7 * static_cast<double>(k) + 4, -0.4 * reach}, fixes[k].name, fixes[k].ink, render::Side::middle});
       for (Eigen::Index i = 0; i < values.size(); ++i) {
         const double at = 7 * static_cast<double>(k) + static_cast<double>(i);
         const Ink ink = values[i] < -1e-9 * reach ? Ink::red : Ink::blue;

@@ -32,7 +32,7 @@ std::vector<render::Spot> ellipse(const Eigen::Vector2d& centre, const Eigen::Ma
 void add_forces(const Eigen::MatrixXd& places, const Eigen::MatrixXd& forces, double length, double largest,
                 render::Ink ink, render::Diagram& diagram) {
   for (Eigen::Index a = 0; a < places.cols(); ++a) {
-    if (forces.col(a).norm() < 1e-6 * largest) continue;
+    if (forces.col(a).norm() < 0.02 * largest) continue;
     diagram.darts.push_back({spot(places.col(a)), spot(places.col(a) + length / largest * forces.col(a)), ink});
   }
 }
@@ -40,7 +40,7 @@ void add_forces(const Eigen::MatrixXd& places, const Eigen::MatrixXd& forces, do
 std::array<int, 3> tint(double share) {
   const double s = std::clamp(share, 0.0, 1.0);
   const auto mixed = [&](double low, double high) { return static_cast<int>(std::lround(low + s * (high - low))); };
-  return {mixed(250, 172), mixed(251, 200), mixed(253, 245)};
+  return {mixed(252, 120), mixed(253, 165), mixed(255, 240)};
 }
 
 }  // namespace app

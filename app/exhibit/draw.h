@@ -20,7 +20,7 @@ void cover(const Eigen::MatrixXd& x, double margin, render::Diagram& diagram);
 // The image of a circle about `centre` under A.
 std::vector<render::Spot> ellipse(const Eigen::Vector2d& centre, const Eigen::Matrix2d& A, double radius);
 
-// Arrows of forces (2 x n) at places (2 x n), the longest `length` long; no arrow for what is 1e-6 of it.
+// Arrows of forces (2 x n) at places (2 x n), the longest `length` long; no arrow for what is less than 2 % of it.
 void add_forces(const Eigen::MatrixXd& places, const Eigen::MatrixXd& forces, double length, double largest,
                 render::Ink ink, render::Diagram& diagram);
 

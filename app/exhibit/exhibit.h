@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/exhibit/trace.h"
 #include "app/scene/document.h"
 #include "app/scene/exhibits.h"
 #include "render/sheet.h"
@@ -30,6 +31,8 @@ class Exhibit {
   virtual ~Exhibit() = default;
   // The state of every frame, in their order; one that is not later than others replaces them.
   virtual void note(const sim::State&) {}
+  // What it keeps of the frames for its curves; none where it draws none over time.
+  virtual Trace* trace() { return nullptr; }
   virtual void show(const sim::State& state, render::Sheet& sheet) const = 0;
   // Rings of what `show` draws of this state.
   virtual std::vector<Grip> grips(const sim::State&) const { return {}; }

@@ -91,7 +91,9 @@ class ForceSteps : public Exhibit {
     }
     for (Eigen::Index i = 0; few && i < x.cols(); ++i) {
       d.dots.push_back({spot(x.col(i))});
-      d.words.push_back({spot(x.col(i)), std::to_string(i), Ink::black, render::Side::above});
+      const bool high = x(1, i) > x.row(1).mean();
+      d.words.push_back(
+          {spot(x.col(i)), std::to_string(i), Ink::black, high ? render::Side::above : render::Side::below});
     }
     return d;
   }

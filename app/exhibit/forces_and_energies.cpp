@@ -8,7 +8,6 @@
 #include "app/exhibit/exhibit.h"
 #include "app/exhibit/mesh_drawing.h"
 #include "app/exhibit/print.h"
-#include "app/exhibit/trace.h"
 #include "sim/study/force_check.h"
 
 namespace app {
@@ -20,10 +19,10 @@ class ForcesAndEnergies : public Exhibit {
  public:
   explicit ForcesAndEnergies(const ExhibitInput& input) : body_(input), seconds_(input.scene.time.seconds) {
     if (body_.dimension() != 2) throw sim::InputError("body", "must be of a plane scene");
-    start_ = energies(body_.system().initial_state());
   }
 
   void note(const sim::State& state) override { trace_.add(body_.time(state), energies(state)); }
+  Trace* trace() override { return &trace_; }
 
   void show(const sim::State& state, render::Sheet& sheet) const override {
     const sim::ForceCheck check = sim::check_forces(body_.system(), state);
@@ -32,7 +31,7 @@ class ForcesAndEnergies : public Exhibit {
     sheet.diagrams.push_back(arrows(state, check));
     sheet.diagrams.push_back(plot());
     const Eigen::VectorXd E = energies(state);
-    const Scaled joule = scaled(start_.cwiseAbs().maxCoeff() + E.cwiseAbs().maxCoeff(), "J");
+    const Scaled joule = scaled(largest(), "J");
     const auto line = [&](const char* label, const char* name, double value, Ink ink) {
       return render::Line{label, number(name, "%.4f", value / joule.factor, joule.unit), ink};
     };
@@ -58,10 +57,10 @@ class ForcesAndEnergies : public Exhibit {
   render::Diagram arrows(const sim::State& state, const sim::ForceCheck& check) const {
     const Eigen::MatrixXd x = body_.nodes(state.x);
     render::Diagram d{
-        .place = {0.01, 0.10, 0.65, 0.58}, .title = "arrows: ∫ −P grad Nᵢ    dots: −∂U/∂xᵢ", .equal = true};
-    cover(body_.mesh().X, 0.28, d);
-    const double middle = (d.y[0] + d.y[1]) / 2;
-    d.y = {middle - 0.35 * (d.x[1] - d.x[0]), middle + 0.2 * (d.x[1] - d.x[0])};
+        .place = {0.01, 0.10, 0.65, 0.87}, .title = "arrows: ∫ −P grad Nᵢ    dots: −∂U/∂xᵢ", .equal = true};
+    cover(body_.mesh().X, 0.12, d);
+    // Room below, where it swings to.
+    d.y[0] = d.y[1] - 0.62 * (d.x[1] - d.x[0]);
     add_elements(
         body_.mesh(), x,
         [](int) {
@@ -70,17 +69,29 @@ class ForcesAndEnergies : public Exhibit {
         false, d);
     add_outline(body_.mesh(), x, Ink::black, d);
     if (check.largest <= 0) return d;
-    const Eigen::MatrixXd galerkin = body_.nodes(check.galerkin), ritz = body_.nodes(check.ritz);
-    const double scale = 0.16 * (d.x[1] - d.x[0]) / galerkin.colwise().norm().maxCoeff();
-    add_forces(x, galerkin, 0.16 * (d.x[1] - d.x[0]), galerkin.colwise().norm().maxCoeff(), Ink::blue, d);
+    const Eigen::MatrixXd galerkin = body_.free_nodes(check.galerkin, state),
+                          ritz = body_.free_nodes(check.ritz, state);
+    const double largest = galerkin.colwise().norm().maxCoeff(), length = 0.12 * (d.x[1] - d.x[0]);
+    if (largest <= 0) return d;
+    const double scale = length / largest;
+    add_forces(x, galerkin, length, largest, Ink::blue, d);
     for (Eigen::Index i = 0; i < x.cols(); ++i)
-      if (scale * ritz.col(i).norm() > 0.02 * (d.x[1] - d.x[0]))
-        d.dots.push_back({spot(x.col(i) + scale * ritz.col(i)), Ink::red});
+      if (ritz.col(i).norm() > 0.1 * largest) d.dots.push_back({spot(x.col(i) + scale * ritz.col(i)), Ink::red});
     return d;
   }
 
+  // Of all energies so far, J.
+  double largest() const {
+    double most = 0;
+    for (std::size_t k = 0; k < trace_.size(); ++k)
+      most = std::max({most, std::abs(trace_.value(k, 0)), std::abs(trace_.value(k, 1))});
+    return most;
+  }
+
   render::Diagram plot() const {
-    render::Diagram d{.place = {0.01, 0.58, 0.65, 0.87}, .axes = true, .x_label = "t [s]", .y_label = "J"};
+    const Scaled joule = scaled(largest(), "J");
+    render::Diagram d{
+        .place = {0.66, 0.42, 0.99, 0.88}, .title = "T, U, T + U in " + joule.unit, .axes = true, .x_label = "t [s]"};
     d.x = {0, seconds_};
     double low = 0, high = 0;
     for (std::size_t k = 0; k < trace_.size(); ++k) {
@@ -88,19 +99,18 @@ class ForcesAndEnergies : public Exhibit {
       high = std::max({high, trace_.value(k, 0), trace_.value(k, 0) + trace_.value(k, 1)});
     }
     if (high - low <= 0) high = low + 1;
-    d.y = {low - 0.05 * (high - low), high + 0.05 * (high - low)};
-    d.strokes = {trace_.curve(0, Ink::red), trace_.curve(1, Ink::blue)};
+    d.y = {(low - 0.05 * (high - low)) / joule.factor, (high + 0.05 * (high - low)) / joule.factor};
+    d.strokes = {trace_.curve(0, Ink::red, 1 / joule.factor), trace_.curve(1, Ink::blue, 1 / joule.factor)};
     render::Stroke sum{{}, Ink::black, false, true};
     for (std::size_t k = 0; k < trace_.size(); ++k)
-      sum.points.push_back({trace_.time(k), trace_.value(k, 0) + trace_.value(k, 1)});
+      sum.points.push_back({trace_.time(k), (trace_.value(k, 0) + trace_.value(k, 1)) / joule.factor});
     d.strokes.push_back(sum);
     return d;
   }
 
   ExhibitBody body_;
   double seconds_;
-  Eigen::VectorXd start_;
-  Trace trace_;
+  Trace trace_{{"T", "U"}};  // J
 };
 
 }  // namespace

@@ -36,8 +36,8 @@ class Interpolation : public Exhibit {
     const std::size_t now = std::min(levels_.size() - 2, static_cast<std::size_t>(t / pace_ + 1e-9));
     sheet.bodies = false;
     sheet.column = 0.66;
-    sheet.diagrams.push_back(picture(levels_[now], {0.01, 0.11, 0.33, 0.60}, levels_[0].error.max));
-    sheet.diagrams.push_back(picture(levels_[now + 1], {0.33, 0.11, 0.65, 0.60}, levels_[0].error.max));
+    sheet.diagrams.push_back(picture(levels_[now], {0.01, 0.11, 0.33, 0.58}, levels_[now].error.max));
+    sheet.diagrams.push_back(picture(levels_[now + 1], {0.33, 0.11, 0.65, 0.58}, levels_[now].error.max));
     sheet.diagrams.push_back(convergence(now + 1));
     render::Table table{{"n", "L₂", "H₁", "max"}, {}, {}};
     for (std::size_t k = 0; k <= now + 1; ++k) {
@@ -62,9 +62,9 @@ class Interpolation : public Exhibit {
   // Two levels at least.
   static int most(int count) { return std::max(4, count); }
 
-  // The error as colour: white where the interpolant is right.
+  // The error as colour: white where the interpolant is right; `largest` is as dark as can be.
   render::Diagram picture(const Level& level, const render::Box& place, double largest) const {
-    render::Diagram d{.place = place, .title = "n = " + std::to_string(level.n), .equal = true};
+    render::Diagram d{.place = place, .title = "|u − I u|, n = " + std::to_string(level.n), .equal = true};
     d.x = {-0.03, 1.03};
     d.y = {-0.03, 1.03};
     const int pieces = std::max(2, 32 / level.n);
@@ -89,21 +89,22 @@ class Interpolation : public Exhibit {
   }
 
   render::Diagram convergence(std::size_t last) const {
-    render::Diagram d{.place = {0.01, 0.61, 0.65, 0.87}, .title = "log₁₀ of the L₂ error over log₂ n", .axes = true};
+    render::Diagram d{.place = {0.01, 0.58, 0.65, 0.88}, .title = "L₂ error over n", .axes = true};
     d.x = {1, std::log2(levels_.back().n)};
     d.y = {std::floor(std::log10(levels_.back().error.L2)), 0};
     d.logarithmic = true;
+    for (const Level& level : levels_) d.x_ticks.push_back({std::log2(level.n), std::to_string(level.n)});
     render::Stroke curve{{}, Ink::blue}, slope{{}, Ink::black, false, true};
     for (std::size_t k = 0; k <= last; ++k) {
       curve.points.push_back({std::log2(levels_[k].n), std::log10(levels_[k].error.L2)});
       d.dots.push_back({curve.points.back(), Ink::blue});
     }
-    // h^order through the last point.
+    // h^order, a little below the last point so that both are seen.
     for (const Level& level : levels_)
-      slope.points.push_back({std::log2(level.n), std::log10(levels_[last].error.L2) -
+      slope.points.push_back({std::log2(level.n), std::log10(0.4 * levels_[last].error.L2) -
                                                       order_ * std::log10(double(level.n) / levels_[last].n)});
     d.strokes = {slope, curve};
-    d.words.push_back({slope.points.back(), order_ == 2 ? "h²" : "h³", Ink::black, render::Side::above});
+    d.words.push_back({slope.points[1], order_ == 2 ? "h²" : "h³", Ink::black, render::Side::below});
     return d;
   }
 

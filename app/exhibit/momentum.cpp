@@ -5,7 +5,6 @@
 #include "app/exhibit/body.h"
 #include "app/exhibit/exhibit.h"
 #include "app/exhibit/print.h"
-#include "app/exhibit/trace.h"
 #include "sim/study/body_motion.h"
 
 namespace app {
@@ -26,9 +25,13 @@ class MomentumPlot : public Exhibit {
     }
     if (flyers_.empty() || flyers_.size() > std::size(inks))
       throw sim::InputError("kind", "\"momentum\" needs one to three bodies without pins that have a velocity");
+    std::vector<std::string> names;
+    for (const Flyer& flyer : flyers_) names.push_back(flyer.name + ".p");
+    trace_ = Trace(names);
   }
 
   void note(const sim::State& state) override { trace_.add(system_.time(state.step), shares(state)); }
+  Trace* trace() override { return &trace_; }
 
   void show(const sim::State& state, render::Sheet& sheet) const override {
     const double t = system_.time(state.step);
@@ -74,7 +77,7 @@ class MomentumPlot : public Exhibit {
   const sim::System& system_;
   double seconds_;
   std::vector<Flyer> flyers_;
-  Trace trace_;
+  Trace trace_{{}};  // shares of the momenta at the start
 };
 
 }  // namespace

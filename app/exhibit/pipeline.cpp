@@ -1,5 +1,5 @@
-// From positions to acceleration, station by station: phi, F, P, force density; what is lit is drawn on the moving
-// body.
+// From positions to acceleration, station by station: phi, F, P, force density, acceleration; what is lit is drawn on
+// the moving body.
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +9,7 @@
 #include "app/exhibit/mesh_drawing.h"
 #include "app/exhibit/print.h"
 #include "sim/mesh/input_error.h"
+#include "sim/study/acceleration.h"
 #include "sim/study/element_view.h"
 #include "sim/study/force_check.h"
 
@@ -17,7 +18,9 @@ namespace {
 
 using render::Ink;
 
-constexpr const char* station_titles[] = {"φ(X): positions", "F = dφ/dX", "P = dΨ/dF", "div P: forces"};
+enum Station { positions, gradient, stress, density, acceleration, stations };
+constexpr const char* station_titles[] = {"φ(X): positions", "F = dφ/dX", "P = dΨ/dF", "div P: forces",
+                                          "ẍ: acceleration"};
 
 class PipelineOfForces : public Exhibit {
  public:
@@ -28,22 +31,22 @@ class PipelineOfForces : public Exhibit {
   }
 
   void show(const sim::State& state, render::Sheet& sheet) const override {
-    const int station = static_cast<int>(std::floor(body_.time(state) / pace_ + 1e-9)) % 4;
+    const int station = static_cast<int>(std::floor(body_.time(state) / pace_ + 1e-9)) % stations;
     const sim::ForceCheck check = sim::check_forces(body_.system(), state);
     const Eigen::MatrixXd f = body_.nodes(check.galerkin);
     const sim::ElementView view = sim::view_element(body_.body(), element_, body_.element_nodes(element_, state));
     sheet.bodies = false;
     sheet.column = 0.66;
     sheet.diagrams.push_back(drawing(state, station, f));
-    render::Block stations{"", {}};
-    for (int k = 0; k < 4; ++k)
-      stations.items.push_back(render::Line{
+    render::Block steps{"", {}};
+    for (int k = 0; k < stations; ++k)
+      steps.items.push_back(render::Line{
           std::string(k == station ? "→ " : "   ") + station_titles[k], {}, k == station ? Ink::blue : Ink::black});
     const Scaled pascal = scaled(view.P.cwiseAbs().maxCoeff(), "Pa");
     render::Block numbers{"element " + std::to_string(element_), {}};
     numbers.items.push_back(matrix("F", "F", "%.4f", view.F));
-    if (station >= 2) numbers.items.push_back(matrix("P", "P", "%.2f", view.P / pascal.factor, pascal.unit));
-    sheet.blocks = {stations, numbers};
+    if (station >= stress) numbers.items.push_back(matrix("P", "P", "%.2f", view.P / pascal.factor, pascal.unit));
+    sheet.blocks = {steps, numbers};
     sheet.formula = "ρ ẍ = div P + f";
     sheet.proof_label = "|Σ f| =";
     sheet.proof = number("sum", "%.0e", f.rowwise().sum().norm(), "N");
@@ -54,9 +57,9 @@ class PipelineOfForces : public Exhibit {
     const sim::Mesh& mesh = body_.mesh();
     const Eigen::MatrixXd x = body_.nodes(state.x);
     render::Diagram d{.place = {0.01, 0.11, 0.65, 0.86}, .equal = true};
-    cover(mesh.X, 0.15, d);
-    const double middle = (d.y[0] + d.y[1]) / 2;
-    d.y = {middle - 0.5 * (d.x[1] - d.x[0]), middle + 0.25 * (d.x[1] - d.x[0])};
+    cover(mesh.X, 0.08, d);
+    // Room below, where it falls to.
+    d.y[0] = d.y[1] - 0.66 * (d.x[1] - d.x[0]);
     std::vector<sim::ElementView> views;
     double largest = 0;
     for (int e = 0; e < mesh.element_count(); ++e) {
@@ -66,17 +69,23 @@ class PipelineOfForces : public Exhibit {
     add_elements(
         mesh, x,
         [&](int e) {
-          if (station < 2 || largest == 0) return e == element_ ? std::array{255, 226, 160} : std::array{240, 242, 247};
+          if (station < stress || largest == 0)
+            return e == element_ ? std::array{255, 226, 160} : std::array{240, 242, 247};
           return tint(views[static_cast<std::size_t>(e)].P.norm() / largest);
         },
         true, d);
-    for (std::size_t e = 0; station == 1 && e < views.size(); ++e) {
+    for (std::size_t e = 0; station == gradient && e < views.size(); ++e) {
       const Eigen::Vector2d centre = views[e].x.rowwise().mean();
       d.strokes.push_back({ellipse(centre, views[e].F, 0.3 * std::sqrt(views[e].measure)), Ink::purple, true});
     }
-    const double most = f.colwise().norm().maxCoeff();
-    if (station == 3 && most > 0) add_forces(x, f, 0.14 * (d.x[1] - d.x[0]), most, Ink::red, d);
+    if (station == density) add_arrows(body_.free_nodes(f.reshaped(), state), x, Ink::red, d);
+    if (station == acceleration) add_arrows(body_.nodes(sim::accelerations(body_.system(), state)), x, Ink::blue, d);
     return d;
+  }
+
+  static void add_arrows(const Eigen::MatrixXd& arrows, const Eigen::MatrixXd& x, Ink ink, render::Diagram& d) {
+    const double most = arrows.colwise().norm().maxCoeff();
+    if (most > 0) add_forces(x, arrows, 0.12 * (d.x[1] - d.x[0]), most, ink, d);
   }
 
   ExhibitBody body_;

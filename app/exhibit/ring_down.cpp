@@ -7,7 +7,6 @@
 #include "app/exhibit/body.h"
 #include "app/exhibit/exhibit.h"
 #include "app/exhibit/print.h"
-#include "app/exhibit/trace.h"
 #include "sim/study/body_motion.h"
 #include "sim/study/modes.h"
 #include "sim/study/ring.h"
@@ -33,6 +32,7 @@ class RingDown : public Exhibit {
   void note(const sim::State& state) override {
     trace_.add(body_.time(state), Eigen::VectorXd::Constant(1, share(state)));
   }
+  Trace* trace() override { return &trace_; }
 
   void show(const sim::State&, render::Sheet& sheet) const override {
     render::Diagram d{.place = {0.61, 0.50, 0.99, 0.84}, .title = "ring-down", .axes = true};
@@ -70,7 +70,7 @@ class RingDown : public Exhibit {
   ExhibitBody body_;
   double seconds_, omega_ = 0, zeta_ = 0, start_ = 1;
   Eigen::VectorXd psi_;
-  Trace trace_;
+  Trace trace_{{"q"}};  // the modal coordinate, of its start
 };
 
 }  // namespace

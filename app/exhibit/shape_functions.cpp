@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
 
 #include "app/exhibit/body.h"
 #include "app/exhibit/draw.h"
@@ -39,14 +41,15 @@ class ShapeFunctions : public Exhibit {
     const sim::PointOfElement at = point(state);
     const sim::ShapeValues values = sim::shape_values(body_.mesh(), at);
     render::Block block{"under the point", {}};
+    std::map<int, render::Number> lines;  // in the order of nodes
     double sum = 0, f = 0;
     for (Eigen::Index a = 0; a < values.N.size(); ++a) {
       const int node = body_.mesh().elements(a, at.element);
       sum += values.N[a];
       f += values.N[a] * heights[node];
-      const std::string index = std::to_string(node);
-      block.items.push_back(render::Line{"N" + subscript(node), number("N" + index, "%.6f", values.N[a])});
+      lines.emplace(node, number("N" + std::to_string(node), "%.6f", values.N[a]));
     }
+    for (const auto& [node, line] : lines) block.items.push_back(render::Line{"N" + subscript(node), line});
     sheet.blocks.push_back(block);
     sheet.blocks.push_back({"", {render::Line{"Σ fᵢ Nᵢ", number("f", "%.6f", f), Ink::blue}}});
     sheet.formula = "φ(X) = Σ xᵢ Nᵢ(X),   Nᵢ(Xⱼ) = 0 or 1";
@@ -113,8 +116,13 @@ class ShapeFunctions : public Exhibit {
     const render::Spot a = lifted(low, 0), b = lifted(high, 1.15);
     d.x = {a[0] - 0.1, b[0] + 0.1};
     d.y = {a[1] - 0.25, b[1]};
-    for (int e = 0; e < mesh.element_count(); ++e) add_element(mesh, e, d);
-    for (int e = 0; e < mesh.element_count(); ++e) add_hill(mesh, e, heights, d);
+    // What is behind comes first.
+    std::vector<int> order(static_cast<std::size_t>(mesh.element_count()));
+    std::iota(order.begin(), order.end(), 0);
+    const auto place = [&](int e) { return corners(mesh, e, mesh.X).row(1).mean(); };
+    std::ranges::stable_sort(order, [&](int a, int b) { return place(a) > place(b); });
+    for (const int e : order) add_element(mesh, e, d);
+    for (const int e : order) add_hill(mesh, e, heights, d);
     for (int i = 0; i < mesh.node_count(); ++i) {
       const render::Spot foot = lifted(mesh.X.col(i), 0), top = lifted(mesh.X.col(i), heights[i]);
       if (heights[i] != 0) d.strokes.push_back({{foot, top}, Ink::blue});
@@ -139,6 +147,7 @@ class ShapeFunctions : public Exhibit {
 
   // The surface over one element, in small facets; blue where it is high, red where it is below zero.
   static void add_hill(const sim::Mesh& mesh, int e, const Eigen::VectorXd& heights, render::Diagram& d) {
+    bool flat = true;
     for (const std::vector<sim::PointOfElement>& facet : sim::facets_of_element(mesh, e, fine)) {
       render::Patch patch;
       double mean = 0;
@@ -150,9 +159,27 @@ class ShapeFunctions : public Exhibit {
         patch.points.push_back(lifted(values.X, f));
       }
       if (std::abs(mean) < 1e-9) continue;
-      patch.colour = mean > 0 ? tint(mean) : std::array{250, 214, 208};
+      flat = false;
+      patch.colour = mean > 0 ? tint(0.15 + 0.85 * mean) : std::array{250, 214, 208};
       d.patches.push_back(patch);
     }
+    if (!flat) add_ridges(mesh, e, heights, d);
+  }
+
+  // The surface above the edges of an element.
+  static void add_ridges(const sim::Mesh& mesh, int e, const Eigen::VectorXd& heights, render::Diagram& d) {
+    const Eigen::MatrixXd X = corners(mesh, e, mesh.X);
+    render::Stroke ridge{{}, Ink::blue, true};
+    for (Eigen::Index a = 0; a < X.cols(); ++a)
+      for (int k = 0; k < fine; ++k) {
+        const Eigen::Vector2d at = X.col(a) + (X.col((a + 1) % X.cols()) - X.col(a)) * k / fine;
+        const sim::PointOfElement point = sim::find_point_of_element(mesh, at);
+        const sim::ShapeValues values = sim::shape_values(mesh, point);
+        double f = 0;
+        for (Eigen::Index n = 0; n < values.N.size(); ++n) f += values.N[n] * heights[mesh.elements(n, point.element)];
+        ridge.points.push_back(lifted(at, f));
+      }
+    d.strokes.push_back(ridge);
   }
 
   ExhibitBody body_;

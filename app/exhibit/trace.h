@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "render/sheet.h"
@@ -10,19 +12,23 @@ namespace app {
 
 class Trace {
  public:
+  // One name for each of the numbers.
+  explicit Trace(std::vector<std::string> names) : names_(std::move(names)) {}
+
   // Times that are not before t are replaced.
   void add(double t, const Eigen::VectorXd& values) {
-    while (!times_.empty() && times_.back() >= t - 1e-12) {
-      times_.pop_back();
-      values_.pop_back();
-    }
+    forget(t - round_off);
     times_.push_back(t);
     values_.push_back(values);
   }
+  // Forgets what is later than t.
+  void cut(double t) { forget(t + round_off); }
+
+  const std::vector<std::string>& names() const { return names_; }
   std::size_t size() const { return times_.size(); }
   double time(std::size_t k) const { return times_[k]; }
   double value(std::size_t k, int which) const { return values_[k][which]; }
-  double end() const { return times_.empty() ? 0 : times_.back(); }
+  const Eigen::VectorXd& last() const { return values_.back(); }
 
   render::Stroke curve(int which, render::Ink ink, double scale = 1) const {
     render::Stroke stroke{{}, ink};
@@ -31,6 +37,16 @@ class Trace {
   }
 
  private:
+  static constexpr double round_off = 1e-12;  // s
+
+  void forget(double later_than) {
+    while (!times_.empty() && times_.back() > later_than) {
+      times_.pop_back();
+      values_.pop_back();
+    }
+  }
+
+  std::vector<std::string> names_;
   std::vector<double> times_;
   std::vector<Eigen::VectorXd> values_;
 };

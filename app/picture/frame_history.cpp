@@ -27,10 +27,15 @@ void FrameHistory::follow(const Simulation& simulation) {
   follow_exhibits(simulation);
 }
 
-// Anew where the system is another, or what they are to show.
+// Anew where the system is another, or what they are to show; a curve of the same numbers goes on.
 void FrameHistory::follow_exhibits(const Simulation& simulation) {
   if (exhibited_ == simulation.system && specs_ == simulation.document.exhibits) return;
-  exhibits_ = make_exhibits(simulation.document, *simulation.system);
+  std::vector<std::unique_ptr<Exhibit>> next = make_exhibits(simulation.document, *simulation.system);
+  for (std::size_t k = 0; k < std::min(next.size(), exhibits_.size()); ++k) {
+    Trace *const before = exhibits_[k]->trace(), *const now = next[k]->trace();
+    if (before != nullptr && now != nullptr && before->names() == now->names()) *now = *before;
+  }
+  exhibits_ = std::move(next);
   exhibited_ = simulation.system;
   specs_ = simulation.document.exhibits;
 }
@@ -46,6 +51,21 @@ std::vector<Ring> FrameHistory::rings(const sim::State& state) const {
       all.push_back({"exhibit." + std::to_string(k) + "." + grip.key, std::move(grip), diagram});
     }
   }
+  return all;
+}
+
+void FrameHistory::revise(const Simulation& simulation, const sim::State& state, LargestShown& largest) {
+  follow(simulation);
+  const double t = system_->time(state.step);
+  std::erase_if(energies_, [&](const Energies& frame) { return frame.t > t; });
+  for (Trace* trace : traces()) trace->cut(t);
+  if (state.step % system_->steps_per_frame() == 0) add(state, largest);
+}
+
+std::vector<Trace*> FrameHistory::traces() const {
+  std::vector<Trace*> all;
+  for (const auto& exhibit : exhibits_)
+    if (Trace* trace = exhibit->trace(); trace != nullptr) all.push_back(trace);
   return all;
 }
 

@@ -28,11 +28,16 @@ class FrameHistory {
 
   // From now on frames are of this simulation. Throws SceneError where an exhibit has not what it shows.
   void follow(const Simulation& simulation);
+  // After an input of a session: the simulation may be another, the state an earlier one. Frames later than it are
+  // forgotten; where it is at one, that is taken in anew.
+  void revise(const Simulation& simulation, const sim::State& state, LargestShown& largest);
   // Takes the next frame in (one that is earlier than others replaces them), and its largest value into `largest`,
   // which is saved with the state.
   void add(const sim::State& state, LargestShown& largest);
   // What is known of the frames so far, put into a moment, with what the exhibits show of its state.
   void fill(const LargestShown& largest, Moment& moment) const;
+  // What the exhibits keep for their curves, to be written and to be restored.
+  std::vector<Trace*> traces() const;
   // What can be dragged in a picture of this state.
   std::vector<Ring> rings(const sim::State& state) const;
 

@@ -38,7 +38,7 @@ class Replayer {
         outcome_(outcome),
         shown_(session.simulation()),
         history_(*shown_),
-        numbers_(folder),
+        numbers_(folder.numbers()),
         progress_(std::cerr, progress_style(options.quiet), {0, file.steps, shown_->system->step_seconds()},
                   Progress::Clock::now()) {}
 
@@ -80,6 +80,7 @@ class Replayer {
       } catch (const std::runtime_error& error) {
         throw SceneError(file_.inputs[next_].place + ": " + error.what());
       }
+      history_.revise(*session_.simulation(), session_.state(), outcome_.run.totals.largest);
     }
   }
 

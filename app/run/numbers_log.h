@@ -1,25 +1,28 @@
 // numbers.csv: every number that the exhibits show, as it is printed, frame by frame.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 
 #include "app/picture/moment.h"
 #include "app/run/csv.h"
-#include "app/run/run_folder.h"
 
 namespace app {
 
 // Begins with the first frame that shows numbers: a run without exhibits leaves no such file.
 class NumbersLog {
  public:
-  explicit NumbersLog(const RunFolder& folder) : folder_(folder) {}
+  // Where a run goes on after a frame, what the file has of later ones is cut off.
+  explicit NumbersLog(std::filesystem::path file, std::optional<std::int64_t> resumed_frame = {});
 
-  // Throws WriteError, as close does.
+  // Throws WriteError, as the others do.
   void add(const Moment& moment);
+  void sync();
   void close();
 
  private:
-  const RunFolder& folder_;
+  std::filesystem::path file_;
   std::optional<Csv> table_;
 };
 

@@ -46,8 +46,8 @@ std::string RunFolder::numbered(const std::string& start, std::int64_t number, c
 
 std::vector<fs::path> RunFolder::files_of_a_run() const {
   std::vector<fs::path> found;
-  for (const fs::path& file :
-       {run_json(), scene(), session(), probes(), steps(), contacts(), numbers(), state(), pvd(), expect_table()}) {
+  for (const fs::path& file : {run_json(), scene(), session(), probes(), steps(), contacts(), numbers(), curves(),
+                               state(), pvd(), expect_table()}) {
     if (fs::exists(file)) found.push_back(file);
   }
   for (const fs::path& folder : {frames(), vtu_folder(), differences()}) {

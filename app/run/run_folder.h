@@ -31,6 +31,7 @@ class RunFolder {
   std::filesystem::path steps() const { return folder_ / "steps.csv"; }
   std::filesystem::path contacts() const { return folder_ / "contacts.csv"; }
   std::filesystem::path numbers() const { return folder_ / "numbers.csv"; }
+  std::filesystem::path curves() const { return folder_ / "curves.csv"; }
   std::filesystem::path state() const { return folder_ / "state.bin"; }
   std::filesystem::path frames() const { return folder_ / "frames"; }
   std::filesystem::path vtu_folder() const { return folder_ / "vtu"; }

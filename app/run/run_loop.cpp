@@ -12,6 +12,7 @@
 #include "app/base/stopwatch.h"
 #include "app/base/text.h"
 #include "app/picture/frame_history.h"
+#include "app/run/curves_log.h"
 #include "app/run/numbers_log.h"
 #include "app/run/read_energies.h"
 #include "app/run/run_json.h"
@@ -22,6 +23,11 @@
 
 namespace app {
 namespace {
+
+// What a resumed run goes on after: how many of so many steps it has taken.
+std::optional<std::int64_t> resumed_step(const RunStart& start, int steps) {
+  return start.resumed ? std::optional(start.run.state.step / steps) : std::nullopt;
+}
 
 class Runner {
  public:
@@ -35,11 +41,11 @@ class Runner {
         sink_(sink),
         outcome_(outcome),
         stepper_(sim::make_stepper(system_, sim::useful_threads(system_, sink.cores_for_steps()))),
-        log_(system_, simulation.document.scene.probes, folder,
-             start.resumed ? std::optional(start.run.state.step) : std::nullopt),
+        log_(system_, simulation.document.scene.probes, folder, resumed_step(start, 1)),
         history_(simulation, start.resumed ? read_energies(folder.steps(), system_, start.run.state.step)
                                            : std::vector<Energies>()),
-        numbers_(folder),
+        numbers_(folder.numbers(), resumed_step(start, system_.steps_per_frame())),
+        curves_(folder, system_, history_.traces(), resumed_step(start, 1)),
         progress_(std::cerr, progress_style(options.quiet),
                   {start.run.state.step, simulation.last_step(), system_.step_seconds()}, Progress::Clock::now()) {
     if (vtu_every_ > 0) make_folder(folder_.vtu_folder());
@@ -88,14 +94,17 @@ class Runner {
       write_atomically(folder_.vtu(frame), vtu_text(system_, state()), false);
     }
     history_.add(state(), outcome_.run.totals.largest);
-    std::string checkpoint;
-    if (frame > 0 && frame < last_frame_ && frame % fps_ == 0) {  // once a simulated second
-      log_.sync();
-      checkpoint = encode(outcome_.run);
-    }
     Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J, .report = report};
     history_.fill(outcome_.run.totals.largest, moment);
     numbers_.add(moment);
+    curves_.add(frame);
+    std::string checkpoint;
+    if (frame > 0 && frame < last_frame_ && frame % fps_ == 0) {  // once a simulated second
+      log_.sync();
+      numbers_.sync();
+      curves_.sync();
+      checkpoint = encode(outcome_.run);
+    }
     sink_.add(std::move(moment), std::move(checkpoint));
   }
 
@@ -104,7 +113,10 @@ class Runner {
     sink_.finish();
     log_.sync();
     log_.close();
+    numbers_.sync();
     numbers_.close();
+    curves_.sync();
+    curves_.close();
     write_state_file(folder_.state(), outcome_.run);
     if (vtu_every_ > 0) write_pvd();
     progress_.finish(state().step, Progress::Clock::now());
@@ -131,6 +143,7 @@ class Runner {
   RunLog log_;
   FrameHistory history_;
   NumbersLog numbers_;
+  CurvesLog curves_;
   Progress progress_;
   Interrupt interrupt_;
 };

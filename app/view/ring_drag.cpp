@@ -1,5 +1,6 @@
 #include "app/view/ring_drag.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -37,7 +38,11 @@ RingDrag::Answer RingDrag::handle(const render::WindowEvent& event, const FrameH
   const std::vector<Ring> rings = frames.rings(state);
   if (*ring_ >= rings.size()) return {true, {}};
   const Ring& ring = rings[*ring_];
-  return {true, SetKey{ring.key, ring.grip.value(render::from_page(ring.diagram, {event.x, event.y}, width, height))}};
+  // It stays where it is seen, and can be taken again.
+  const render::Box area = render::area_of(ring.diagram, width, height);
+  const render::Spot to = {std::clamp<double>(event.x, area.left, area.right),
+                           std::clamp<double>(event.y, area.top, area.bottom)};
+  return {true, SetKey{ring.key, ring.grip.value(render::from_page(ring.diagram, to, width, height))}};
 }
 
 }  // namespace app

@@ -18,14 +18,30 @@ constexpr double stepping = 0.03;  // s of wall time between two pictures
 }  // namespace
 
 Workbench::Workbench(Options options, std::unique_ptr<Session> session)
-    : options_(std::move(options)), session_(std::move(session)), frames_(*session_->simulation()) {
+    : options_(std::move(options)),
+      first_log_(options_.log),
+      session_(std::move(session)),
+      frames_(*session_->simulation()) {
   count_frame();
   if (!options_.out.empty()) make_folder(options_.out);
   if (options_.log.empty()) return;
-  if (std::filesystem::exists(options_.log) && !options_.overwrite) {
-    throw WriteError(options_.log.string() + ": exists already; choose another file for --log or give --overwrite");
+  for (const std::filesystem::path& file : {options_.log, numbers_of_log()}) {
+    if (std::filesystem::exists(file) && !options_.overwrite)
+      throw WriteError(file.string() + ": exists already; choose another file for --log or give --overwrite");
   }
+  begin_log();
+}
+
+// FILE.csv for FILE.toml.
+std::filesystem::path Workbench::numbers_of_log() const {
+  return std::filesystem::path(options_.log).replace_extension(".csv");
+}
+
+void Workbench::begin_log() {
   log_ = std::make_unique<SessionLog>(options_, session_->document().scene.dimension);
+  numbers_.emplace(numbers_of_log());
+  frames_reached_ = 0;
+  reached_ = true;
 }
 
 void Workbench::handle(const render::WindowEvent& event, int width, int height, bool over_widgets) {
@@ -113,6 +129,7 @@ bool Workbench::advance(double wall) {
 // False, and no longer playing, when the step cannot be taken.
 bool Workbench::step() {
   if (pull_to_) apply(*std::exchange(pull_to_, std::nullopt));
+  write_numbers();
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
   const sim::StepReport report = session_->step();
   if (!report.failure.empty()) {
@@ -126,7 +143,19 @@ bool Workbench::step() {
   time_ += simulation->system->step_seconds();
   monitor_.add(sample_of(time_, *session_->simulation()->system, session_->state(), report));
   count_frame();
+  if (session_->state().step % session_->simulation()->system->steps_per_frame() == 0) {
+    reached_ = true;
+    ++frames_reached_;
+  }
   return true;
+}
+
+// The frame of now, once nothing can change it any more: the frames of a replay.
+void Workbench::write_numbers() {
+  if (!std::exchange(reached_, false) || !numbers_) return;
+  Moment now = moment();
+  now.frame = frames_reached_;
+  numbers_->add(now);
 }
 
 // What a frame shows of those before it is told at the frames' own times, as in a recording.
@@ -146,7 +175,7 @@ void Workbench::apply(const Input& input) {
     return;
   }
   message_.clear();
-  frames_.follow(*session_->simulation());
+  frames_.revise(*session_->simulation(), session_->state(), largest_);
   if (log_) log_->write(event);
   const auto* move = std::get_if<MoveCamera>(&input);
   if (move == nullptr) return;
@@ -176,14 +205,14 @@ bool Workbench::reload() {
     return false;
   }
   message_ = "Read again: " + options_.scene.string();
+  if (log_) finish();  // what was logged stays
+  session_ = std::move(session);
   if (log_) {
-    // What was logged stays; the file as it is now begins a session of its own.
-    finish();
-    options_.log = free_name(options_.log.parent_path() / options_.log.stem(), options_.log.extension().string());
-    log_ = std::make_unique<SessionLog>(options_, session->document().scene.dimension);
+    // The file as it is now begins a session of its own.
+    options_.log = free_name(first_log_.parent_path() / first_log_.stem(), first_log_.extension().string());
+    begin_log();
     message_ += "; the log goes on in " + options_.log.string();
   }
-  session_ = std::move(session);
   monitor_.clear();
   mouse_.drop();
   pull_to_.reset();
@@ -228,22 +257,26 @@ void Workbench::refresh_picture(double aspect) {
   camera_.reset();
 }
 
-const render::Frame& Workbench::frame(int width, int height) {
-  refresh_picture(static_cast<double>(width) / height);
-  const sim::System& system = *session_->simulation()->system;
+Moment Workbench::moment() const {
   const sim::State& state = session_->state();
-  Moment moment{.frame = state.step / system.steps_per_frame(),
+  Moment moment{.frame = state.step / session_->simulation()->system->steps_per_frame(),
                 .newton = report_.newton,
                 .state = state,
                 .min_J = report_.min_J,
                 .report = report_};
   frames_.fill(largest_, moment);
-  frame_ = drawn_->picture.frame(moment);
+  return moment;
+}
+
+const render::Frame& Workbench::frame(int width, int height) {
+  refresh_picture(static_cast<double>(width) / height);
+  frame_ = drawn_->picture.frame(moment());
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
   if (grip && session_->pull()) {
     const sim::Vec3 target = pull_to_ ? pull_to_->target : session_->pull()->target;
-    const sim::Vec3 now = place_of(system, state, grip->picked.body, grip->picked.node);
+    const sim::Vec3 now =
+        place_of(*session_->simulation()->system, session_->state(), grip->picked.body, grip->picked.node);
     frame_.arrows.push_back({to_point(now), to_point(target)});
   }
   return frame_;
@@ -269,7 +302,10 @@ void Workbench::draw_panel(int width, int height) {
 }
 
 void Workbench::finish() {
-  if (log_) log_->end(session_->steps(), session_->state());
+  if (!log_) return;
+  write_numbers();
+  numbers_->close();
+  log_->end(session_->steps(), session_->state());
 }
 
 }  // namespace app

@@ -11,6 +11,7 @@
 #include "app/panel/panel.h"
 #include "app/picture/frame_history.h"
 #include "app/record/frame_renderer.h"
+#include "app/run/numbers_log.h"
 #include "app/session/monitor.h"
 #include "app/session/session.h"
 #include "app/session/session_log.h"
@@ -38,7 +39,7 @@ class Workbench {
   const render::Frame& frame(int width, int height);
   // The widgets of a window of this size, in the frame of Dear ImGui that is under way; does what they ask for.
   void draw_panel(int width, int height);
-  // Ends the log.
+  // Ends the log and the table of numbers beside it.
   void finish();
 
   bool playing() const { return playing_; }
@@ -53,6 +54,10 @@ class Workbench {
   void apply(const Input& input);
   bool step();
   void count_frame();
+  std::filesystem::path numbers_of_log() const;
+  void begin_log();
+  Moment moment() const;
+  void write_numbers();
   bool reload();
   void turn_page(std::ptrdiff_t by);
   void save();
@@ -61,8 +66,12 @@ class Workbench {
   static std::filesystem::path free_name(const std::filesystem::path& start, const std::string& end);
 
   Options options_;
+  std::filesystem::path first_log_;  // later ones are called after it
   std::unique_ptr<Session> session_;
   std::unique_ptr<SessionLog> log_;
+  std::optional<NumbersLog> numbers_;  // of the frames, beside the log
+  std::int64_t frames_reached_ = 0;    // by steps, since the session began
+  bool reached_ = true;                // the last of them is that of now, and not in numbers_
   Monitor monitor_;
   Mouse mouse_;
   Pace pace_;

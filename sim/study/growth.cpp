@@ -19,7 +19,20 @@ void set_step(Time& time, double h) {
 
 }  // namespace
 
-std::vector<double> growth(const Scene& scene, const std::string& integrator, double h, int steps) {
+double Growth::per_step() const {
+  constexpr double small = 1e-3;  // m
+  const auto grown = std::find_if(reach.begin(), reach.end(), [](double r) { return r > small; });
+  const auto steps = [](auto from, auto to) { return 1.0 / static_cast<double>(to - from); };
+  if (grown == reach.end()) {
+    const auto half = reach.begin() + static_cast<std::ptrdiff_t>(reach.size() / 2);
+    const double before = *std::max_element(reach.begin(), half), after = *std::max_element(half, reach.end());
+    return std::pow(after / before, steps(reach.begin(), half));
+  }
+  const auto last = grown - 1, first = last - std::min<std::ptrdiff_t>(30, (last - reach.begin()) / 2);
+  return last > first ? std::pow(*last / *first, steps(first, last)) : *grown / small;
+}
+
+Growth growth(const Scene& scene, const std::string& integrator, double h, int steps) {
   Scene resting = scene;
   resting.time.integrator = integrator;
   set_step(resting.time, h);
@@ -33,12 +46,13 @@ std::vector<double> growth(const Scene& scene, const std::string& integrator, do
   for (const BodyRange& range : system.bodies()) size = std::max(size, range.size);
   Random random(scene.seed);
   for (double& v : state.v) v = random.uniform(-1, 1) < 0 ? -1e-12 * size / h : 1e-12 * size / h;
-  std::vector<double> reach = {0};
+  Growth grown{{0}, {rest}};
   for (int k = 0; k < steps; ++k) {
     if (!stepper->step(state).failure.empty()) break;
-    reach.push_back((state.x - rest).cwiseAbs().maxCoeff());
+    grown.reach.push_back((state.x - rest).cwiseAbs().maxCoeff());
+    grown.x.push_back(state.x);
   }
-  return reach;
+  return grown;
 }
 
 // u_{n+1} - 2u_n + u_{n-1} = -4 x^2 u_n has the roots -(x -+ sqrt(x^2 - 1))^2; up to x = 1 both are of size 1.

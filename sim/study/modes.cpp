@@ -95,8 +95,9 @@ Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
   const bool dense = pencil.size() <= few || 4 * wanted > pencil.size();
   const Pairs pairs = dense ? dense_pairs(pencil, wanted) : sparse_pairs(pencil, wanted);
   Modes modes;
-  // Round-off of rigid motions may be negative.
-  modes.omega = pairs.values.cwiseMax(0.0).cwiseSqrt();
+  // What is round-off beside the fastest mode is a rigid motion.
+  const double fastest = pencil.K.diagonal().maxCoeff() / pencil.M.diagonal().minCoeff();
+  modes.omega = (pairs.values.array() > 1e-14 * fastest).select(pairs.values.cwiseMax(0.0).cwiseSqrt(), 0.0);
   modes.shape = Eigen::MatrixXd::Zero(pencil.free.size(), pairs.vectors.cols());
   for (Eigen::Index i = 0, row = 0; i < pencil.free.size(); ++i)
     if (pencil.free[i] != 0) modes.shape.row(i) = pairs.vectors.row(row++);

@@ -19,9 +19,10 @@ enum class Guess { stay, flight, carried_on };
 
 ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
     : model_(model), scheme_(scheme), newton_(model, threads), begin_(most_halvings + 1) {
+  // What a scheme has no use for is zero: a static step leaves a state without a force, not with what memory held.
   for (Eigen::VectorXd* v : {&x_star_, &v_start_, &way_, &target_, &impulse_, &x_first_, &v_first_, &force_first_, &x_,
                              &v_, &x_lagged_, &v_lagged_, &force_})
-    v->resize(model.dofs());
+    v->setZero(model.dofs());
 }
 
 // Puts the start of the iteration into x_, v_: free flight, the acceleration of the step before carried on, or x_n,

@@ -98,6 +98,89 @@ TEST(Sheet, LettersAreLargeAndLinesThick) {
   EXPECT_GE(line[1] - line[0] + 1, 3);
 }
 
+// The pixel at (x, y), 0 to 255.
+std::array<int, 3> pixel_of(const Image& image, int x, int y) {
+  const std::uint8_t* p = image.rgba.data() + 4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
+  return {p[0], p[1], p[2]};
+}
+
+// A curve of any ink over a dark patch: on both sides it has white beside it, to which its contrast is that to paper.
+TEST(Sheet, CurvesOverColoursHaveAWhiteBorder) {
+  const auto context = make_offscreen_context();
+  Renderer renderer(*context, 1280, 720);
+  for (const Ink ink : {Ink::black, Ink::blue, Ink::red, Ink::purple}) {
+    Frame frame = lecture_frame();
+    Diagram d{.place = {0.1, 0.3, 0.5, 0.8}};
+    d.patches.push_back({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {120, 165, 240}});
+    d.strokes.push_back({{{0, 0.5}, {1, 0.5}}, ink});
+    frame.sheet->diagrams.push_back(d);
+    const Image image = renderer.draw(frame);
+    const Spot middle = to_page(d, {0.5, 0.5}, 1280, 720);
+    const int x = static_cast<int>(middle[0]), y = static_cast<int>(middle[1]);
+    EXPECT_EQ(pixel_of(image, x, y), ink_colour(ink));
+    for (const int way : {-1, 1}) {
+      bool white = false;
+      for (int k = 1; k <= 5; ++k) white = white || pixel_of(image, x, y + way * k) == std::array{255, 255, 255};
+      EXPECT_TRUE(white) << "ink " << static_cast<int>(ink);
+      EXPECT_EQ(pixel_of(image, x, y + way * 12), (std::array{120, 165, 240})) << "the patch goes on";
+    }
+  }
+}
+
+// Whatever a sheet holds, its column ends above the proof, its drawings at their place, its words inside of it.
+TEST(Sheet, WhatDoesNotFitIsLeftOut) {
+  const auto context = make_offscreen_context();
+  for (const auto& [width, height] : {std::array{1280, 720}, std::array{640, 360}, std::array{320, 180}}) {
+    Renderer renderer(*context, width, height);
+    Frame frame = lecture_frame();
+    Block block;
+    for (int k = 0; k < 40; ++k) block.items.push_back(Line{"label", {"n" + std::to_string(k), "1.000", "m"}});
+    frame.sheet->blocks = {block};
+    Diagram d{.place = {0.1, 0.3, 0.5, 0.8}};
+    d.strokes.push_back({{{-3, 0.5}, {3, 0.5}}});
+    d.strokes.push_back({{{0.5, -3}, {0.5, 3}}});
+    d.words.push_back({{1, 0.2}, "a word at the edge"});
+    frame.sheet->diagrams = {d};
+    const Image image = renderer.draw(frame);
+    const auto at = [](double share, int size) { return static_cast<int>(share * size); };
+    const std::array<int, 2> column = inked_rows(image, at(0.66, width), width, at(0.08, height), height);
+    EXPECT_LT(column[1], at(0.93, height));
+    EXPECT_GT(column[1], at(0.80, height)) << "and the column is full";
+    const std::array<int, 2> drawing = inked_rows(image, at(0.1, width), at(0.5, width), at(0.08, height), height);
+    EXPECT_GE(drawing[0], at(0.3, height) - 1);
+    EXPECT_LE(drawing[1], at(0.82, height));
+    const std::array<int, 2> right = inked_rows(image, at(0.52, width), at(0.65, width), 0, height);
+    EXPECT_GT(right[0], right[1]) << "nothing beside the diagram";
+  }
+}
+
+// Digits have one width, and room is kept for a sign: brackets and columns stay where they are.
+TEST(Sheet, DigitsDoNotDance) {
+  const auto context = make_offscreen_context();
+  Renderer renderer(*context, 640, 360);
+  const auto left_edge = [&](const std::string& number) {
+    Frame frame = lecture_frame();
+    frame.sheet->blocks = {
+        {"", {Matrix{"", 2, {{"a", number, ""}, {"b", "1.00", ""}, {"c", "2.00", ""}, {"d", "3.00", ""}}}}}};
+    const Image image = renderer.draw(frame);
+    for (int x = 400; x < 640; ++x)
+      if (inked_rows(image, x, x + 1, 30, 90)[1] > 30) return x;
+    return 640;
+  };
+  EXPECT_LT(left_edge("1.23"), 600);
+  EXPECT_EQ(left_edge("1.23"), left_edge("-9.87"));
+}
+
+// A page that is narrower than 16:9 has smaller letters: what is beside another thing stays beside it.
+TEST(Sheet, NarrowPagesAreThePageMadeSmaller) {
+  const Diagram d{.place = {0.1, 0.2, 0.6, 0.9}, .title = "t", .axes = true};
+  const Box wide = area_of(d, 1280, 720), narrow = area_of(d, 640, 720);
+  EXPECT_NEAR(narrow.left, wide.left / 2, 1e-9);
+  EXPECT_NEAR(narrow.right, wide.right / 2, 1e-9);
+  EXPECT_EQ(measure_of(1280, 720), 720);
+  EXPECT_EQ(measure_of(640, 720), 360);
+}
+
 // The usual look comes back after a lecture's, to the byte.
 TEST(Sheet, OneRendererDrawsLecturesAndOthersInTurn) {
   const auto context = make_offscreen_context();

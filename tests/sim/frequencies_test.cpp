@@ -86,7 +86,7 @@ TEST(Frequencies, ModesAreOrthonormalAndRigidOnesCostNothing) {
   scene.bodies[0].pins.clear();
   const Modes modes = vibration_modes(scene, 0, 8);
   const System system(scene);
-  for (int k = 0; k < 3; ++k) EXPECT_LT(modes.omega[k], 1e-3 * modes.omega[3]);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(modes.omega[k], 0);
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 8; ++j) {
       Eigen::VectorXd Mpsi = Eigen::VectorXd::Zero(modes.shape.rows());

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "sim/build/parts.h"
+#include "sim/study/acceleration.h"
 #include "sim/study/bar.h"
 #include "sim/study/body_motion.h"
 #include "sim/study/element_view.h"
@@ -304,13 +305,46 @@ TEST(Lecture, ExplicitStepsGrowBeyondTheLimitOnly) {
   scene.bodies = {body};
   const double limit = 2 / fastest_frequency(scene, 0);
   EXPECT_NEAR(limit / 0.005573111556, 1, digits);
-  const std::vector<double> above = growth(scene, "central-difference", 1.01 * limit, 80);
+  const Growth beyond = growth(scene, "central-difference", 1.01 * limit, 80);
+  EXPECT_NEAR(beyond.per_step(), 1.326584427, 1e-3);
+  const std::vector<double>& above = beyond.reach;
   ASSERT_EQ(above.size(), 81u);
+  ASSERT_EQ(beyond.x.size(), 81u);
+  EXPECT_EQ((beyond.x[60] - beyond.x[0]).cwiseAbs().maxCoeff(), above[60]);
   EXPECT_NEAR(std::pow(above[65] / above[40], 1.0 / 25), 1.326584427, 1e-3);
-  const std::vector<double> below = growth(scene, "central-difference", 0.99 * limit, 400);
+  const std::vector<double> below = growth(scene, "central-difference", 0.99 * limit, 400).reach;
   EXPECT_LT(*std::max_element(below.begin(), below.end()), 1e-9);
-  const std::vector<double> implicit = growth(scene, "backward-euler", 3 * limit, 50);
-  EXPECT_LT(implicit.back(), 1e-10);
+  EXPECT_NEAR(growth(scene, "central-difference", 0.99 * limit, 400).per_step(), 1, 2e-3);
+  const Growth implicit = growth(scene, "backward-euler", 3 * limit, 400);  // more than two periods of the slowest mode
+  EXPECT_LT(implicit.reach.back(), 1e-10);
+  EXPECT_LE(implicit.per_step(), 1);
+}
+
+// M a = f: what an explicit step adds to the velocities, for both masses, under weight and damping; a pinned node
+// stays.
+TEST(Lecture, AccelerationsAreThoseOfAStep) {
+  for (const MassMatrix mass : {MassMatrix::lumped, MassMatrix::consistent}) {
+    Scene scene;
+    scene.dimension = 2;
+    Body body;
+    body.mesh = generate_rectangle({4, 1}, {6, 2}, {1, 1}, ElementKind::tri3);
+    body.materials = {MaterialSpec{"stable-neo-hookean", 1e6, 0.3, 1000, ""}};
+    body.pins = {Pin{InGroup{"left"}, "xy", {}, {}, false}};
+    body.mass = mass;
+    body.damping.alpha = 0.7;
+    scene.bodies = {body};
+    scene.time.integrator = "symplectic-euler";
+    scene.time.fps = 1000;
+    const System system(scene);
+    State state = system.initial_state();
+    const auto stepper = make_stepper(system, 1);
+    for (int k = 0; k < 20; ++k) ASSERT_EQ(stepper->step(state).failure, "");
+    const Eigen::VectorXd a = accelerations(system, state), v = state.v;
+    ASSERT_EQ(stepper->step(state).failure, "");
+    EXPECT_LT((v + a / 1000 - state.v).cwiseAbs().maxCoeff(), 1e-12 * a.cwiseAbs().maxCoeff());
+    EXPECT_GT(a.cwiseAbs().maxCoeff(), 1);
+    for (const int node : system.pinned_nodes(0)) EXPECT_EQ(a.segment(2 * node, 2).norm(), 0);
+  }
 }
 
 // rayleigh.json: ratio of successive maxima of the second mode, trapezoidal at 1/240 s; momentum under alpha.

@@ -1,0 +1,84 @@
+// The deck of the lecture in a real window: pages are turned, rings dragged, and a replay has the same numbers.
+#include <cmath>
+
+#include "app/picture/frame_history.h"
+#include "app/scene/deck.h"
+#include "app/scene/simulation.h"
+#include "tests/app/window_scene.h"
+
+namespace app {
+namespace {
+
+const std::filesystem::path deck = std::filesystem::path(RITZ_SOURCE_DIR) / "assets" / "lectures";
+constexpr int window_width = 640, window_height = 360;
+
+class DeckWindowTest : public WindowTest {
+ protected:
+  static std::filesystem::path page(const std::string& number) {
+    for (const std::filesystem::path& file : pages_of(deck))
+      if (file.filename().string().starts_with(number + "-")) return file;
+    ADD_FAILURE() << "no page " << number;
+    return {};
+  }
+  // How often Page down is pressed from the first page.
+  static int presses(const std::filesystem::path& file) {
+    const std::vector<std::filesystem::path> pages = pages_of(deck);
+    return static_cast<int>(std::ranges::find(pages, file) - pages.begin());
+  }
+  void turn(const std::string& key, int times) const {
+    for (int k = 0; k < times; ++k) tool("key " + key);
+  }
+  // Drags a ring of a page that has just been opened along spots of its diagram.
+  void drag(const std::filesystem::path& file, std::size_t number, const std::vector<render::Spot>& along) const {
+    Options options;
+    options.scene = file;
+    const Simulation simulation = build_simulation(options);
+    const FrameHistory history(simulation);
+    const Ring ring = history.rings(simulation.system->initial_state()).at(number);
+    const auto to = [&](const render::Spot& spot) {
+      const render::Spot pixel = render::to_page(ring.diagram, spot, window_width, window_height);
+      tool("mousemove " + std::to_string(std::lround(pixel[0])) + " " + std::to_string(std::lround(pixel[1])));
+    };
+    to(ring.grip.at);
+    tool("mousedown 1");
+    for (const render::Spot& spot : along) to(spot);
+    tool("mouseup 1");
+    tool("mousemove 450 200");
+  }
+  // The numbers that the window wrote are those of the replay, to the byte.
+  void expect_replayed(const std::filesystem::path& file, const std::string& session) const {
+    const std::filesystem::path out = folder_ / ("replay of " + session);
+    replay_of(file, folder_ / (session + ".toml"), out, {"--size", "64x36", "--quiet"});
+    const std::string written = read_all(folder_ / (session + ".csv"));
+    EXPECT_GT(std::ranges::count(written, '\n'), 20);
+    EXPECT_EQ(written, read_all(out / "numbers.csv"));
+  }
+};
+
+TEST_F(DeckWindowTest, PagesAreTurnedRingsDraggedAndReplayed) {
+  const std::filesystem::path xray = page("09"), newton = page("12");
+  const auto ritz = view_of(deck, std::to_string(window_width) + "x" + std::to_string(window_height), {},
+                            pages_of(deck)[0].stem().string());
+  tool("key Tab");
+  turn("Next", presses(xray) + 1);
+  turn("Prior", 1);
+  drag(xray, 2, {{0.6, 1.0}, {0.8, -0.4}, {0.8, -0.9}});
+  turn("Right", 3);
+  turn("Next", presses(newton) - presses(xray));
+  turn("Right", 1);
+  drag(newton, 0, {{0.7, 0.4}, {0.9, 0.5}});
+  turn("Right", 2);
+  tool("key ctrl+q");
+  ASSERT_EQ(ritz->wait(10s), 0) << read_all(log("ritz"));
+  // Every page that is opened begins a session of its own: the first is that of page 01.
+  const std::string of_xray = "session-" + std::to_string(presses(xray) + 2);
+  const std::string of_newton = "session-" + std::to_string(presses(newton) + 2);
+  expect_replayed(xray, of_xray);
+  expect_replayed(newton, of_newton);
+  const std::string numbers = read_all(folder_ / (of_xray + ".csv"));
+  EXPECT_NE(numbers.find("\n1,J,-"), std::string::npos) << "the triangle is turned over";
+  EXPECT_NE(read_all(folder_ / (of_newton + ".toml")).find("key = \"exhibit.0.nodes\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace app
