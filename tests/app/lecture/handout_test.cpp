@@ -131,8 +131,12 @@ TEST(Films, AStepIsDraggedThroughItsLimit) {
   ASSERT_EQ(growth.size(), h.size());
   const double limit = 5.5731;  // ms
   for (std::size_t k = 30; k < h.size(); ++k) {
-    if (h[k] < 0.99 * limit) EXPECT_NEAR(growth[k], 1, 0.01) << h[k];
-    if (h[k] > 1.02 * limit) EXPECT_GT(growth[k], 1.3) << h[k];
+    if (h[k] < 0.99 * limit) {
+      EXPECT_NEAR(growth[k], 1, 0.01) << h[k];
+    }
+    if (h[k] > 1.02 * limit) {
+      EXPECT_GT(growth[k], 1.3) << h[k];
+    }
   }
   EXPECT_LT(h[30], 0.99 * limit);
   EXPECT_GT(h.back(), 1.02 * limit);
