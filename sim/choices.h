@@ -13,6 +13,10 @@ enum class LinearSolverKind { two_level, cholmod, pcg, pcg_assembled, automatic 
 // 2024].
 enum class Definiteness { none = 1, clamp = 0, abs = -1 };
 
+// Whether Newton's method may leave what `Definiteness` says where that is slow or fails, and halve any step (guarded),
+// or keeps to it, with whole steps where nothing is made definite (pure).
+enum class NewtonKind { guarded, pure };
+
 // What is done about a step whose equations are not solved.
 enum class OnFailure { split, accept, stop };
 
@@ -38,6 +42,9 @@ template <>
 inline constexpr auto choices<Definiteness> = std::to_array<Choice<Definiteness>>({{Definiteness::clamp, "clamp"},
                                                                                    {Definiteness::abs, "abs"},
                                                                                    {Definiteness::none, "none"}});
+template <>
+inline constexpr auto choices<NewtonKind> = std::to_array<Choice<NewtonKind>>({{NewtonKind::guarded, "guarded"},
+                                                                               {NewtonKind::pure, "pure"}});
 template <>
 inline constexpr auto choices<OnFailure> = std::to_array<Choice<OnFailure>>({{OnFailure::split, "split"},
                                                                              {OnFailure::accept, "accept"},

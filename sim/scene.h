@@ -25,6 +25,7 @@ struct Time {
 
 struct Solver {
   LinearSolverKind linear = LinearSolverKind::automatic;
+  NewtonKind newton = NewtonKind::guarded;
   double tolerance = 1e-4;    // body sizes per second: Newton stops when max |dx|/(g h) is below it
   int max_iterations = 1000;  // Newton iterations per stage; more are not tried even while they make progress
   Definiteness definiteness = Definiteness::clamp;

@@ -55,6 +55,7 @@ class ModeBook {
         folder_(std::move(folder)),
         simulation_(build_simulation(options)),
         renderer_(*context_, options.width, options.height, options.samples) {
+    require_bodies(simulation_.document);
     simulation_.document.look.ghost = true;
     simulation_.document.look.colour = "plain";
     simulation_.document.look.ground = false;  // a mode goes below as well

@@ -12,6 +12,7 @@
 #include "app/base/stopwatch.h"
 #include "app/command/commands.h"
 #include "app/scene/scene_file.h"
+#include "app/scene/simulation.h"
 #include "app/stress/flight.h"
 #include "app/stress/table.h"
 #include "sim/mesh/input_error.h"
@@ -90,7 +91,9 @@ class Board {
 
 std::vector<Subject> subjects(const Options& options) {
   if (options.scene.empty()) return built_in_subjects(options.quick);
-  return {subject_of(load_scene(options.scene, options.settings, options.overrides).scene)};
+  const Document document = load_scene(options.scene, options.settings, options.overrides);
+  require_bodies(document);
+  return {subject_of(document.scene)};
 }
 
 std::filesystem::path csv_path(const Options& options) {

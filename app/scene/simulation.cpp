@@ -22,6 +22,12 @@ std::vector<std::string> Simulation::remarks() const {
   return all;
 }
 
+void require_bodies(const Document& document) {
+  if (!document.scene.bodies.empty()) return;
+  const sim::InputError none("body", "there is no body, and this command is about bodies");
+  throw SceneError(located(none, document.places).message);
+}
+
 std::shared_ptr<const sim::System> build_system(const Document& document, int threads) {
   try {
     if (!sim::starts_in_a_mode(document.scene)) return std::make_shared<const sim::System>(document.scene, threads);

@@ -28,6 +28,9 @@ struct Simulation {
 // Reads the scene that the options name and builds its system. Throws SceneError.
 Simulation build_simulation(const Options& options);
 
+// Throws SceneError where a scene has no body: it is a page of exhibits alone, and there is nothing to measure.
+void require_bodies(const Document& document);
+
 // The system of a document. Throws SceneError.
 std::shared_ptr<const sim::System> build_system(const Document& document, int threads);
 

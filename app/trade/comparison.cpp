@@ -32,6 +32,7 @@ double Comparison::seconds() const {
 
 Comparison make_comparison(const Options& options) {
   Comparison comparison{options, build_simulation(options), {}, {}, {}};
+  require_bodies(comparison.scene.document);
   if (comparison.scene.document.scene.time.integrator == "static")
     throw std::runtime_error(options.scene.string() +
                              ": time.integrator = \"static\": there is no motion to trade; --set "

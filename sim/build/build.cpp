@@ -222,6 +222,9 @@ void form_pattern(Parts& parts) {
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
   // Bodies in touch couple nodes outside of the pattern: these two do not look there.
+  const bool pure = model.solver.newton == NewtonKind::pure;
+  if (!model.contacts.empty() && pure)
+    throw InputError("solver.newton", "\"pure\" is not for scenes with a [[contact]], whose steps must be cut");
   if (!model.contacts.empty() &&
       (model.solver.linear == LinearSolverKind::two_level || model.solver.linear == LinearSolverKind::pcg_assembled))
     throw InputError("solver.linear", "\"" + std::string(name_of(model.solver.linear)) +
@@ -233,7 +236,7 @@ void form_pattern(Parts& parts) {
                             : model.solver.linear == LinearSolverKind::two_level
                                 ? "solver: conjugate gradients on two levels, for this size"
                                 : "solver: conjugate gradients on two levels; CHOLMOD from where they take too long");
-  if (!forms_matrix(model.solver.linear)) return;
+  if (!forms_matrix(model.solver)) return;
   Coupling coupling(model.node_count);
   for (const Mass& mass : model.masses) mass.couple(coupling);
   for (const auto& term : model.terms) term->couple(coupling);

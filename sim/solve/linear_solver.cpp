@@ -1,6 +1,7 @@
 #include "sim/solve/linear_solver.h"
 
 #include "sim/solve/auto_solver.h"
+#include "sim/solve/lu_solver.h"
 
 namespace sim {
 
@@ -12,11 +13,12 @@ LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs) {
   return dofs <= largest_factor ? LinearSolverKind::automatic : LinearSolverKind::two_level;
 }
 
-bool forms_matrix(LinearSolverKind settled) {
-  return settled != LinearSolverKind::pcg;
+bool forms_matrix(const Solver& settled) {
+  return settled.linear != LinearSolverKind::pcg || settled.newton == NewtonKind::pure;
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Model& model) {
+  if (model.solver.newton == NewtonKind::pure) return std::make_unique<LuSolver>(model);
   const LinearSolverKind linear = model.solver.linear;
   if (linear == LinearSolverKind::automatic) return std::make_unique<AutoSolver>(model);
   if (linear == LinearSolverKind::cholmod) return std::make_unique<DirectSolver>(model);

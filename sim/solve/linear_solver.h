@@ -32,8 +32,8 @@ class LinearSolver {
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Model& model);
 
-// The solver that a scene's choice stands for at this size, and whether it forms a matrix.
+// The solver that a scene's choice stands for at this size, and whether what is settled forms a matrix.
 LinearSolverKind settled_solver(LinearSolverKind chosen, Eigen::Index dofs);
-bool forms_matrix(LinearSolverKind settled);
+bool forms_matrix(const Solver& settled);
 
 }  // namespace sim

@@ -21,9 +21,9 @@ constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, r
 // where it is not definite or its steps are cut. [Longva et al. 2023: project on demand]
 class Exactness {
  public:
-  explicit Exactness(Definiteness fix) : fix_(fix) {}
+  Exactness(Definiteness fix, bool pure) : fix_(fix), pure_(pure) {}
   Definiteness next() {
-    exact_ = fix_ == Definiteness::none || (slow_ && wait_ == 0);
+    exact_ = fix_ == Definiteness::none || (!pure_ && slow_ && wait_ == 0);
     if (wait_ > 0) --wait_;
     return exact_ ? Definiteness::none : fix_;
   }
@@ -40,6 +40,7 @@ class Exactness {
  private:
   static constexpr double slow = 0.3;  // an iteration that leaves more than this of the residual
   Definiteness fix_;
+  bool pure_;  // fix_ from start to end
   bool exact_ = false, slow_ = false;
   int wait_ = 0, pause_ = 2;
   double last_ = std::numeric_limits<double>::infinity();
@@ -68,6 +69,7 @@ class Progress {
 Newton::Newton(const Model& model, int threads)
     : model_(model),
       fix_(model.solver.definiteness),
+      pure_(model.solver.newton == NewtonKind::pure),
       tangent_(model, threads),
       linear_(make_linear_solver(model)),
       f_(model.dofs()),
@@ -148,7 +150,8 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
                        double tolerance, StepReport& report) {
   const double rate = motion.dv_dx;
   const Definiteness definite = fix_ == Definiteness::none ? Definiteness::clamp : fix_;
-  kept_tangent_ = full_step_before && first == made_ && tangent_serves(stage, motion, report);
+  is_singular_ = false;
+  kept_tangent_ = !pure_ && full_step_before && first == made_ && tangent_serves(stage, motion, report);
   for (Definiteness fix = first;; fix = definite, kept_tangent_ = false) {
     Stopwatch watch(report.seconds_assemble);
     if (!kept_tangent_) {
@@ -174,6 +177,7 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
     report.linear += linear.iterations;
     report.factorisations += linear.factorisations;
     report.no_factor = report.no_factor || linear.no_factor;
+    is_singular_ = pure_ && !linear.solved;
     if (linear.positive_definite) return dx_.allFinite();
     // The exact tangent is not positive definite here: clamped, it is, but for round-off. Where even that fails, down
     // the slope by the diagonal.
@@ -260,9 +264,10 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
     if (!bring_prescribed(stage, motion, x, v, report)) return false;
     start.reset();
   }
+  const bool takes_whole_steps = stage.one_iteration || (pure_ && fix_ == Definiteness::none);
   double potential_here = 0;
-  if (!stage.one_iteration) potential_here = start ? *start : potential(stage, motion);
-  Exactness exactness(fix_);
+  if (!takes_whole_steps) potential_here = start ? *start : potential(stage, motion);
+  Exactness exactness(fix_, pure_);
   Progress progress;
   bool full_step_before = false;
   int k = 0;
@@ -273,9 +278,13 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
       report.failure = "the forces or the Newton direction are not finite";
       return false;
     }
+    if (is_singular_) {
+      report.reason = "the matrix is singular";
+      break;
+    }
     ++report.newton;
-    Move step{1, 0};
-    if (stage.one_iteration) {
+    Move step{1, 1};
+    if (takes_whole_steps) {
       x_from_ = x;
       v_from_ = v;
       move(stage, step.a, x, v);

@@ -60,10 +60,12 @@ class Newton {
 
   const Model& model_;
   Definiteness fix_;
+  bool pure_;
   TangentOperator tangent_;
   std::unique_ptr<LinearSolver> linear_;
   Definiteness made_ = Definiteness::clamp;  // how the tangent of the latest direction was made definite
   bool kept_tangent_ = false;                // it is that of the iteration before
+  bool is_singular_ = false;                 // its matrix: there is no direction
   double residual_norm_ = 0;                 // there, N
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
   Eigen::VectorXd way_;     // of prescribed components to their places

@@ -13,7 +13,7 @@
 #include "sim/body/start.h"
 #include "sim/build/parts.h"
 #include "sim/solve/tangent_operator.h"
-#include "sim/study/sparse.h"
+#include "sim/linear/sparse.h"
 #include "sim/system.h"
 
 namespace sim {

@@ -5,7 +5,7 @@
 
 #include "sim/build/parts.h"
 #include "sim/solve/tangent_operator.h"
-#include "sim/study/sparse.h"
+#include "sim/linear/sparse.h"
 
 namespace sim {
 

@@ -12,6 +12,7 @@
 #include "app/scene/deck.h"
 #include "app/scene/scene_text.h"
 #include "sim/stepper.h"
+#include "sim/study/pure_newton.h"
 #include "tests/app/workbench_scene.h"
 #include "tests/sim/residual/problems.h"
 
@@ -229,6 +230,33 @@ TEST(LecturePages, FollowTheSceneThatTheyAreGiven) {
   EXPECT_EQ(sheet.proof.text, "24399.038");
 }
 
+// The paths of page 12 are those of its scene with solver.newton = "pure": a step is an iteration, which a page of
+// three paths at once cannot be.
+TEST(LecturePages, PathsOfNewtonAreThoseOfTheKey) {
+  const std::map<std::string, std::array<int, 3>> lengths = {{"[0.6, 0.25]", {5, 0, 8}}, {"[0.9, 0.35]", {7, 6, 7}}};
+  for (const auto& [start, expected] : lengths) {
+    Changes changes = {{"body.0.start", "{ shape = \"nodes\", nodes = [[0, 0], [1, 0], " + start + "] }"},
+                       {"solver.newton", "pure"},
+                       {"solver.max_iterations", "1"},
+                       {"solver.on_failure", "accept"},
+                       {"solver.tolerance", "1e-9"}};
+    int k = 0;
+    for (const sim::Definiteness fix : {sim::Definiteness::none, sim::Definiteness::clamp, sim::Definiteness::abs}) {
+      changes.push_back({"solver.definiteness", std::string(sim::name_of(fix))});
+      const Simulation simulation = build_simulation(changed(page(deck_folder / "12-definiteness.toml"), changes));
+      sim::State state = simulation.system->initial_state();
+      const sim::NewtonPath path = sim::pure_newton(*simulation.system, state.x, fix);
+      EXPECT_EQ(path.iterations(), expected[static_cast<std::size_t>(k++)]) << start << sim::name_of(fix);
+      const auto stepper = sim::make_stepper(*simulation.system, 1);
+      for (int n = 1; n <= path.iterations(); ++n) {
+        EXPECT_EQ(stepper->step(state).failure, "");
+        EXPECT_LT((state.x - path.points[static_cast<std::size_t>(n)]).norm(), 1e-9) << start << n;
+      }
+      EXPECT_EQ(stepper->step(state).converged, !path.singular);
+    }
+  }
+}
+
 // A page of numbers alone is a scene: explained, run and recorded as any other.
 TEST(LecturePages, NeedNoBody) {
   const TemporaryFolder folder;
@@ -245,6 +273,10 @@ TEST(LecturePages, NeedNoBody) {
   // What it was is read again from the folder of the run, with the files that it names.
   const Simulation again = build_simulation(page(folder / "run/run.toml"));
   EXPECT_EQ(again.identity, simulation.identity);
+  for (const auto command : {modes, trade, stress}) {
+    options.out = folder / "none";
+    EXPECT_NE(error_of([&] { command(options); }).find("there is no body"), std::string::npos);
+  }
   write_all(file, "[[exhibit]]\nkind = \"x-ray\"\n");
   const Simulation without = build_simulation(page(file));
   const std::string error = error_of([&] { make_exhibits(without.document, *without.system); });

@@ -277,6 +277,12 @@ std::string error_of(const Scene& scene) {
   return "";
 }
 
+TEST(Contact, NeedsStepsThatAreCut) {
+  Scene scene = test::two_boxes(2, 0.1);
+  scene.solver.newton = NewtonKind::pure;
+  EXPECT_TRUE(error_of(scene).starts_with("solver.newton: \"pure\" is not for scenes with a [[contact]]"));
+}
+
 TEST(Contact, StartsThatCrossOrTouchAreRefused) {
   const std::string crossing = error_of(test::two_boxes(2, -0.3));
   EXPECT_NE(crossing.find("contact.0: \"low\" and \"top\" cross each other at the start, at "), std::string::npos)

@@ -7,7 +7,7 @@
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/geometry.h"
 #include "sim/solve/tangent_operator.h"
-#include "sim/study/sparse.h"
+#include "sim/linear/sparse.h"
 #include "tests/sim/stepping.h"
 
 namespace sim {

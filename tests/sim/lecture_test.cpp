@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "sim/build/parts.h"
+#include "sim/stepper.h"
 #include "sim/study/acceleration.h"
 #include "sim/study/bar.h"
 #include "sim/study/body_motion.h"
@@ -212,6 +213,32 @@ TEST(Lecture, DefinitenessOfOneElement) {
   }
 }
 
+// solver.newton = "pure" in a static scene, a single iteration a step: its iterates are those of the dense study, which
+// shares nothing with it but the energy's derivatives.
+void expect_same_path(Scene scene, const Eigen::VectorXd& start, Definiteness fix, const NewtonPath& path) {
+  scene.time.integrator = "static";
+  scene.solver.newton = NewtonKind::pure;
+  scene.solver.definiteness = fix;
+  scene.solver.max_iterations = 1;
+  scene.solver.on_failure = OnFailure::accept;
+  scene.solver.tolerance = 1e-9;
+  const System system(scene);
+  const auto stepper = make_stepper(system, 1);
+  State state = system.initial_state();
+  state.x = start;
+  for (int k = 1; k <= path.iterations(); ++k) {
+    EXPECT_EQ(stepper->step(state).failure, "");
+    EXPECT_LT((state.x - path.points[static_cast<std::size_t>(k)]).cwiseAbs().maxCoeff(), 1e-9) << k;
+  }
+  const Eigen::VectorXd end = state.x;
+  const StepReport report = stepper->step(state);
+  EXPECT_LT((state.x - end).cwiseAbs().maxCoeff(), 1e-9) << "it is at its end";
+  EXPECT_EQ(report.converged, !path.singular);
+  if (path.singular) {
+    EXPECT_EQ(report.reason, "the matrix is singular");
+  }
+}
+
 // landscape.json: where each variant of Newton's method goes, and in how many steps.
 TEST(Lecture, PathsOfNewtonOnALandscape) {
   const Json cases = lecture_data("landscape.json");
@@ -231,6 +258,8 @@ TEST(Lecture, PathsOfNewtonOnALandscape) {
       const Json& path = reference["paths"][name];
       const NewtonPath found = pure_newton(system, start, fix);
       const std::string what = reference["model"].text + " " + name;
+      SCOPED_TRACE(what);
+      expect_same_path(scene, start, fix, found);
       // Where round-off cuts the last step it is a matter of taste whether there is one more.
       const auto& steps = path["step_fraction"].list;
       const bool cut = !steps.empty() && steps.back().number < 1;

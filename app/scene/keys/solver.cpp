@@ -33,6 +33,11 @@ std::vector<Key> solver_keys() {
        field<solver_of, &sim::Solver::definiteness>,
        "What is done to negative eigenvalues of an element's stiffness: \"clamp\" sets them to zero, \"abs\" makes "
        "them positive, \"none\" keeps them."},
+      {"solver.newton", Form(Kind::choice).of(names_of<sim::NewtonKind>), field<solver_of, &sim::Solver::newton>,
+       "\"guarded\" takes the exact matrix where the one of solver.definiteness is slow, another where it fails, and "
+       "halves steps that do not lower the energy; \"pure\" keeps to solver.definiteness, and with \"none\" takes "
+       "whole "
+       "steps wherever they lead: to a saddle or a maximum as well. Its linear systems are solved by LU."},
       {"solver.on_failure", Form(Kind::choice).of(names_of<sim::OnFailure>), field<solver_of, &sim::Solver::on_failure>,
        "What happens to a step whose equations are not solved: \"split\" takes it again in halves (16 parts at most), "
        "\"accept\" goes on with what there is, \"stop\" ends the run."},
