@@ -25,23 +25,12 @@ Workbench::Workbench(Options options, std::unique_ptr<Session> session)
   count_frame();
   if (!options_.out.empty()) make_folder(options_.out);
   if (options_.log.empty()) return;
-  for (const std::filesystem::path& file : {options_.log, numbers_of_log()}) {
-    if (std::filesystem::exists(file) && !options_.overwrite)
-      throw WriteError(file.string() + ": exists already; choose another file for --log or give --overwrite");
-  }
-  begin_log();
+  SessionRecord::check(options_);
+  begin_record();
 }
 
-// FILE.csv for FILE.toml.
-std::filesystem::path Workbench::numbers_of_log() const {
-  return std::filesystem::path(options_.log).replace_extension(".csv");
-}
-
-void Workbench::begin_log() {
-  log_ = std::make_unique<SessionLog>(options_, session_->document().scene.dimension);
-  numbers_.emplace(numbers_of_log());
-  frames_reached_ = 0;
-  reached_ = true;
+void Workbench::begin_record() {
+  record_ = std::make_unique<SessionRecord>(options_, session_->document().scene.dimension);
 }
 
 void Workbench::handle(const render::WindowEvent& event, int width, int height, bool over_widgets) {
@@ -129,7 +118,7 @@ bool Workbench::advance(double wall) {
 // False, and no longer playing, when the step cannot be taken.
 bool Workbench::step() {
   if (pull_to_) apply(*std::exchange(pull_to_, std::nullopt));
-  write_numbers();
+  if (record_) record_->write_frame([this] { return moment(); });
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
   const sim::StepReport report = session_->step();
   if (!report.failure.empty()) {
@@ -143,26 +132,16 @@ bool Workbench::step() {
   time_ += simulation->system->step_seconds();
   monitor_.add(sample_of(time_, *session_->simulation()->system, session_->state(), report));
   count_frame();
-  if (session_->state().step % session_->simulation()->system->steps_per_frame() == 0) {
-    reached_ = true;
-    ++frames_reached_;
-  }
   return true;
-}
-
-// The frame of now, once nothing can change it any more: the frames of a replay.
-void Workbench::write_numbers() {
-  if (!std::exchange(reached_, false) || !numbers_) return;
-  Moment now = moment();
-  now.frame = frames_reached_;
-  numbers_->add(now);
 }
 
 // What a frame shows of those before it is told at the frames' own times, as in a recording.
 void Workbench::count_frame() {
   const Simulation& simulation = *session_->simulation();
   frames_.follow(simulation);
-  if (session_->state().step % simulation.system->steps_per_frame() == 0) frames_.add(session_->state(), largest_);
+  if (session_->state().step % simulation.system->steps_per_frame() != 0) return;
+  frames_.add(session_->state(), largest_);
+  if (record_) record_->reach_frame();
 }
 
 void Workbench::apply(const Input& input) {
@@ -176,7 +155,7 @@ void Workbench::apply(const Input& input) {
   }
   message_.clear();
   frames_.revise(*session_->simulation(), session_->state(), largest_);
-  if (log_) log_->write(event);
+  if (record_) record_->write(event);
   const auto* move = std::get_if<MoveCamera>(&input);
   if (move == nullptr) return;
   // The picture itself stays as it is.
@@ -205,14 +184,8 @@ bool Workbench::reload() {
     return false;
   }
   message_ = "Read again: " + options_.scene.string();
-  if (log_) finish();  // what was logged stays
+  finish();  // what was written stays
   session_ = std::move(session);
-  if (log_) {
-    // The file as it is now begins a session of its own.
-    options_.log = free_name(first_log_.parent_path() / first_log_.stem(), first_log_.extension().string());
-    begin_log();
-    message_ += "; the log goes on in " + options_.log.string();
-  }
   monitor_.clear();
   mouse_.drop();
   pull_to_.reset();
@@ -220,6 +193,11 @@ bool Workbench::reload() {
   largest_ = {};
   frames_ = FrameHistory(*session_->simulation());
   count_frame();
+  if (options_.log.empty()) return true;
+  // The file as it is now begins a session of its own.
+  options_.log = free_name(first_log_.parent_path() / first_log_.stem(), first_log_.extension().string());
+  begin_record();
+  message_ += "; the log goes on in " + options_.log.string();
   return true;
 }
 
@@ -302,10 +280,10 @@ void Workbench::draw_panel(int width, int height) {
 }
 
 void Workbench::finish() {
-  if (!log_) return;
-  write_numbers();
-  numbers_->close();
-  log_->end(session_->steps(), session_->state());
+  if (!record_) return;
+  record_->write_frame([this] { return moment(); });
+  record_->end(session_->steps(), session_->state());
+  record_.reset();
 }
 
 }  // namespace app

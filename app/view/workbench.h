@@ -11,13 +11,12 @@
 #include "app/panel/panel.h"
 #include "app/picture/frame_history.h"
 #include "app/record/frame_renderer.h"
-#include "app/run/numbers_log.h"
 #include "app/session/monitor.h"
 #include "app/session/session.h"
-#include "app/session/session_log.h"
 #include "app/view/mouse.h"
 #include "app/view/pace.h"
 #include "app/view/ring_drag.h"
+#include "app/view/session_record.h"
 #include "render/frame.h"
 #include "render/window.h"
 
@@ -54,10 +53,8 @@ class Workbench {
   void apply(const Input& input);
   bool step();
   void count_frame();
-  std::filesystem::path numbers_of_log() const;
-  void begin_log();
+  void begin_record();
   Moment moment() const;
-  void write_numbers();
   bool reload();
   void turn_page(std::ptrdiff_t by);
   void save();
@@ -68,10 +65,7 @@ class Workbench {
   Options options_;
   std::filesystem::path first_log_;  // later ones are called after it
   std::unique_ptr<Session> session_;
-  std::unique_ptr<SessionLog> log_;
-  std::optional<NumbersLog> numbers_;  // of the frames, beside the log
-  std::int64_t frames_reached_ = 0;    // by steps, since the session began
-  bool reached_ = true;                // the last of them is that of now, and not in numbers_
+  std::unique_ptr<SessionRecord> record_;  // where --log is given
   Monitor monitor_;
   Mouse mouse_;
   Pace pace_;

@@ -3,12 +3,13 @@
 #include "app/base/exit_code.h"
 #include "app/command/commands.h"
 #include "app/picture/frame_history.h"
+#include "tests/app/lecture/deck.h"
 #include "tests/app/workbench_scene.h"
 
 namespace app {
 namespace {
 
-const std::filesystem::path damping = std::filesystem::path(RITZ_SOURCE_DIR) / "assets/lectures/13-damping.toml";
+const std::filesystem::path damping = lecture_deck / "13-damping.toml";
 
 class CurvesTest : public WorkbenchTest {
  protected:

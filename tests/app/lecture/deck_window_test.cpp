@@ -4,25 +4,25 @@
 #include "app/picture/frame_history.h"
 #include "app/scene/deck.h"
 #include "app/scene/simulation.h"
+#include "tests/app/lecture/deck.h"
 #include "tests/app/window_scene.h"
 
 namespace app {
 namespace {
 
-const std::filesystem::path window_deck = std::filesystem::path(RITZ_SOURCE_DIR) / "assets" / "lectures";
 constexpr int window_width = 640, window_height = 360;
 
 class DeckWindowTest : public WindowTest {
  protected:
   static std::filesystem::path page(const std::string& number) {
-    for (const std::filesystem::path& file : pages_of(window_deck))
+    for (const std::filesystem::path& file : pages_of(lecture_deck))
       if (file.filename().string().starts_with(number + "-")) return file;
     ADD_FAILURE() << "no page " << number;
     return {};
   }
   // How often Page down is pressed from the first page.
   static int presses(const std::filesystem::path& file) {
-    const std::vector<std::filesystem::path> pages = pages_of(window_deck);
+    const std::vector<std::filesystem::path> pages = pages_of(lecture_deck);
     return static_cast<int>(std::ranges::find(pages, file) - pages.begin());
   }
   void turn(const std::string& key, int times) const {
@@ -57,8 +57,8 @@ class DeckWindowTest : public WindowTest {
 
 TEST_F(DeckWindowTest, PagesAreTurnedRingsDraggedAndReplayed) {
   const std::filesystem::path xray = page("09"), newton = page("12");
-  const auto ritz = view_of(window_deck, std::to_string(window_width) + "x" + std::to_string(window_height), {},
-                            pages_of(window_deck)[0].stem().string());
+  const auto ritz = view_of(lecture_deck, std::to_string(window_width) + "x" + std::to_string(window_height), {},
+                            pages_of(lecture_deck)[0].stem().string());
   tool("key Tab");
   turn("Next", presses(xray) + 1);
   turn("Prior", 1);
