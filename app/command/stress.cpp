@@ -22,12 +22,28 @@ namespace {
 
 constexpr std::int64_t long_run = 100000;  // steps
 
+// From where it is, with the scene's longer steps, until it is at rest.
+sim::Recovery go_on(const sim::Scene& scene, const sim::State& from, const std::function<bool()>& interrupted) {
+  constexpr std::int64_t most_steps = 1000;
+  const sim::System system(scene, 1);
+  sim::State state = system.initial_state();
+  state.x = from.x;
+  state.v = from.v;
+  return sim::recover(system, state, most_steps, {}, interrupted);
+}
+
 CaseResult run_case(const StabilityCase& c, const std::function<bool()>& interrupted) {
   const Stopwatch watch;
   CaseResult result;
   try {
-    const sim::System system(c.scene(), 1);
-    result.recovery = sim::recover(system, c.steps, c.extreme->loaded, interrupted);
+    sim::Scene scene = c.scene();
+    const sim::System system(scene, 1);
+    for (const std::string& remark : system.remarks())
+      if (remark.starts_with("locking")) result.locking = remark;
+    sim::State state = system.initial_state();
+    result.recovery = sim::recover(system, state, c.steps, {c.extreme->loaded, c.extreme->keeps_energy()}, interrupted);
+    if (result.recovery.verdict == sim::Verdict::moving && c.extreme->is_patient() && slow_down(scene))
+      result.recovery.then(go_on(scene, state, interrupted));
   } catch (const sim::InputError& error) {
     result.refused = error.what();
   }

@@ -24,19 +24,30 @@ bool has_meaning(const Subject& subject, const Extreme& extreme) {
   return true;
 }
 
-// The matrix is full for the starts; steps, materials, meshes and scripts are tried on tets with the three materials
-// and schemes that are to hold.
+// The matrix is full for the scenes of users and for bodies whose shape is what they are there for. Every scheme meets
+// obstacles; starts are tried with every material, scheme and element, the other extremes with the three materials and
+// schemes that are to hold.
 bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
-  if (!subject.built_in || extreme.group == "start") return true;
   const auto is_one_of = [](const std::string& name, auto... names) { return ((name == names) || ...); };
-  if (!is_one_of(subject.scheme, "backward-euler", "sdirk2", "tr-bdf2")) return false;
-  if (extreme.group == "mesh" && subject.scheme == "backward-euler")
-    return is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated");
-  return subject.element == "tet4" && is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated");
+  const bool holds = is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated") &&
+                     is_one_of(subject.scheme, "backward-euler", "sdirk2", "tr-bdf2");
+  switch (subject.part) {
+    case Part::own:
+    case Part::shape:
+      return true;
+    case Part::beam:
+      return extreme.group == "bending";
+    case Part::element:
+      return is_one_of(extreme.group, "start", "mesh");
+    case Part::reference:
+      if (extreme.group == "obstacle") return subject.material == "stable-neo-hookean";
+      return extreme.group == "start" || (holds && extreme.group != "bending");
+  }
+  return false;
 }
 
 bool is_quick(const Subject& subject, const Extreme& extreme) {
-  return extreme.quick && (extreme.group == "start" || !subject.built_in || subject.scheme == "backward-euler");
+  return extreme.quick && (extreme.group == "start" || subject.part == Part::own || subject.scheme == "backward-euler");
 }
 
 // Long enough to come to rest, short enough to be run. Patient: what is folded may creep for long.
@@ -52,8 +63,7 @@ std::int64_t step_count(const sim::Scene& scene, bool patient) {
 }  // namespace
 
 std::string StabilityCase::name() const {
-  return extreme->group + "/" + extreme->name + " " + subject->element + " " + subject->material + " " +
-         subject->scheme;
+  return extreme->group + "/" + extreme->name + " " + subject->body + " " + subject->material + " " + subject->scheme;
 }
 
 sim::Scene StabilityCase::scene() const {
@@ -63,10 +73,16 @@ sim::Scene StabilityCase::scene() const {
   return scene;
 }
 
+bool slow_down(sim::Scene& scene) {
+  if (sim::find_scheme(scene.time.integrator)->is_explicit()) return false;
+  set_step(scene, 60 * double(scene.time.unit) / (double(scene.time.fps) * std::max(1, scene.time.substeps)));
+  return true;
+}
+
 std::vector<Extreme> extremes() {
   std::vector<Extreme> all;
-  for (const auto group :
-       {start_extremes, untangle_extremes, step_extremes, material_extremes, mesh_extremes, script_extremes})
+  for (const auto group : {start_extremes, untangle_extremes, step_extremes, material_extremes, mesh_extremes,
+                           script_extremes, obstacle_extremes, bending_extremes})
     for (Extreme& extreme : group()) all.push_back(std::move(extreme));
   return all;
 }
@@ -80,7 +96,8 @@ std::vector<StabilityCase> make_cases(const std::vector<Subject>& subjects, cons
       if (!has_meaning(subject, extreme) || !is_in_matrix(subject, extreme)) continue;
       if (choice.quick && !is_quick(subject, extreme)) continue;
       if (!choice.only.empty() && fnmatch(("*" + choice.only + "*").c_str(), c.name().c_str(), 0) != 0) continue;
-      c.steps = step_count(c.scene(), extreme.group == "start" && !choice.quick) * (extreme.loaded ? 4 : 1);
+      const bool falls_far = extreme.group == "script" && extreme.loaded;
+      c.steps = step_count(c.scene(), extreme.group == "start" && !choice.quick) * (falls_far ? 4 : 1);
       for (int k = 0; k < choice.seeds; ++k, ++c.seed) cases.push_back(c);
     }
   return cases;

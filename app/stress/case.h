@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "app/stress/body.h"
 #include "sim/scene.h"
 
 namespace app {
 
 // A free body at rest; no gravity, no loads.
 struct Subject {
-  std::string element, material, scheme;
+  std::string body, material, scheme;
   sim::Scene scene;
-  bool built_in = true;  // not from a scene of the user
+  Part part = Part::own;
 };
 
 struct Extreme {
@@ -21,6 +22,11 @@ struct Extreme {
   bool quick = false;       // part of --quick
   bool loaded = false;      // ends under loads, not at the rest shape
   std::function<void(sim::Scene&)> change;
+
+  // Forces have a potential and nothing is driven: energy must not grow.
+  bool keeps_energy() const { return group == "obstacle"; }
+  // Goes on, with longer steps, until the body is at rest: what is folded creeps, and what is slender unbends slowly.
+  bool is_patient() const { return group == "start" || group == "untangle"; }
 };
 
 // One run.
@@ -35,10 +41,15 @@ struct StabilityCase {
   sim::Scene scene() const;
 };
 
+// Throws std::runtime_error where the meshes that come with the program are not found.
 std::vector<Subject> built_in_subjects(bool quick);
-// The bodies of a scene with their materials, its time step, scheme and solver; without gravity, loads, pins and
-// obstacles.
+// The bodies of a scene with their materials, its time step, scheme and solver; without gravity, loads, pins, obstacles
+// and contact, which no start that folds a body allows.
 Subject subject_of(const sim::Scene& scene);
+
+// Steps of an implicit scheme become a minute where they were a second: what creeps is followed until it is at rest.
+// False: the scheme is explicit.
+bool slow_down(sim::Scene& scene);
 
 // All extremes, in the order of the table.
 std::vector<Extreme> extremes();

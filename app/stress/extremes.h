@@ -11,6 +11,17 @@ std::vector<Extreme> step_extremes();
 std::vector<Extreme> material_extremes();
 std::vector<Extreme> mesh_extremes();
 std::vector<Extreme> script_extremes();
+std::vector<Extreme> obstacle_extremes();
+std::vector<Extreme> bending_extremes();
+
+// Low and high end of the first body along its longest axis, and its middle; across: where it is thinnest, but not
+// flat.
+struct Ends {
+  sim::Box low, high;
+  sim::Vec3 along, across, middle;
+  double length, thickness;  // m
+};
+Ends ends_of(const sim::Scene& scene);
 
 // Every node of every body anywhere in the rest box: what the extremes of step and material have to deal with.
 void scramble(sim::Scene& scene);

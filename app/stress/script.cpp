@@ -4,26 +4,6 @@
 namespace app {
 namespace {
 
-// Low and high end of the first body along its longest axis, and its middle.
-struct Ends {
-  sim::Box low, high;
-  sim::Vec3 along, middle;
-  double length;
-};
-
-Ends ends_of(const sim::Scene& scene) {
-  const sim::Mesh& mesh = scene.bodies.front().mesh;
-  sim::Vec3 low = sim::Vec3::Zero(), high = low;
-  low.head(mesh.dimension()) = mesh.X.rowwise().minCoeff();
-  high.head(mesh.dimension()) = mesh.X.rowwise().maxCoeff();
-  int axis = 0;
-  const double length = (high - low).maxCoeff(&axis);
-  Ends ends{{low, high}, {low, high}, sim::Vec3::Unit(axis), (low + high) / 2, length};
-  ends.low.high[axis] = low[axis] + 0.01 * length;
-  ends.high.low[axis] = high[axis] - 0.01 * length;
-  return ends;
-}
-
 // The high end goes through the poses at these times and is back at the last; the low end is held. Both are let go
 // when it is back.
 Extreme moved(const std::string& name, bool quick,

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/solve/exactness.h"
+#include "sim/solve/progress.h"
 #include "sim/solve/stopwatch.h"
 
 namespace sim {
@@ -11,58 +13,7 @@ namespace {
 
 constexpr double linear_tolerance = 1e-2;  // |residual of the linear solve| / |right-hand side|
 constexpr double chord = 0.1;              // |residual| / |the one before| down to which the tangent is kept
-constexpr double armijo = 1e-4;            // share of the predicted decrease that a step must give
-constexpr int most_halvings = 40;
-constexpr double force_noise = 1e-15;   // round-off of a body's forces at rest, relative to E V/L: not to be followed
-constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
-
-// Which tangent the next iteration takes. A tangent made definite leads to a minimum from anywhere, but slowly where
-// stresses are high: it lacks their negative stiffness. There the exact one is tried, and given up for ever longer
-// where it is not definite or its steps are cut. [Longva et al. 2023: project on demand]
-class Exactness {
- public:
-  Exactness(Definiteness fix, bool pure) : fix_(fix), pure_(pure) {}
-  Definiteness next() {
-    exact_ = fix_ == Definiteness::none || (!pure_ && slow_ && wait_ == 0);
-    if (wait_ > 0) --wait_;
-    return exact_ ? Definiteness::none : fix_;
-  }
-  bool exact() const { return exact_ && fix_ != Definiteness::none; }
-  void look(bool good, double residual) {
-    slow_ = good && residual > slow * last_;
-    if (exact_ && !good) {
-      wait_ = pause_;
-      pause_ *= 2;
-    }
-    last_ = residual;
-  }
-
- private:
-  static constexpr double slow = 0.3;  // an iteration that leaves more than this of the residual
-  Definiteness fix_;
-  bool pure_;  // fix_ from start to end
-  bool exact_ = false, slow_ = false;
-  int wait_ = 0, pause_ = 2;
-  double last_ = std::numeric_limits<double>::infinity();
-};
-
-// Whether the iteration still gets anywhere: the potential falls by a share of what its slope promises, or the
-// increment is smaller than it ever was. A stiff, tangled mesh needs hundreds of iterations that all do; where the
-// energy has kinks, thousands may follow that do not.
-class Progress {
- public:
-  bool ended(double share, double increment) {
-    idle_ = share > least_share || increment < shorter * smallest_ ? 0 : idle_ + 1;
-    smallest_ = std::min(smallest_, increment);
-    return idle_ == most_idle;
-  }
-
- private:
-  static constexpr int most_idle = 15;
-  static constexpr double least_share = 1e-3, shorter = 0.99;
-  int idle_ = 0;
-  double smallest_ = std::numeric_limits<double>::infinity();
-};
+constexpr double force_noise = 1e-15;  // round-off of a body's forces at rest, relative to E V/L: not to be followed
 
 }  // namespace
 
@@ -86,6 +37,7 @@ void Newton::begin_step(const Motion& start, double t_end, const KeptFactor& kep
     model_.pins.mark(t_end, tangent_.free());
     tangent_.set_epoch(model_.pins.released(t_end));
   }
+  stuck_ = false;
   linear_->begin_step(tangent_, kept);
   tangent_.begin_step(start);
 }
@@ -217,7 +169,7 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
     x_from_ = x;
     v_from_ = v;
     move(stage, a, x, v);
-    for (int halvings = 0; !std::isfinite(potential(stage, motion)) && halvings < most_halvings; ++halvings) {
+    for (int halvings = 0; !std::isfinite(potential(stage, motion)) && halvings < most_cuts; ++halvings) {
       a /= 2;
       move(stage, a, x, v);
       ++report.backtracks;
@@ -227,29 +179,6 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
         if (tangent_.free()[i] == 0) x[i] = stage.target[i];
   }
   return true;
-}
-
-// Armijo backtracking; the step taken is 0 when none decreases the potential.
-Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion, double& potential_here,
-                                 Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
-  const double slope = -residual_.dot(dx_);
-  const double before = potential_here;
-  const double limit = tangent_.largest_step(motion, dx_);
-  double a = limit < 1 ? step_share * limit : 1;
-  x_from_ = x;
-  v_from_ = v;
-  const double noise = energy_noise * (model_.energy_scale + 10 * std::abs(before));
-  for (int k = 0; k <= most_halvings; ++k, a *= 0.5) {
-    move(stage, a, x, v);
-    const double after = potential(stage, motion);
-    if (after <= before + armijo * a * slope + noise) {
-      potential_here = after;
-      return {a, (before - after - noise) / -slope};
-    }
-    ++report.backtracks;
-  }
-  move(stage, 0, x, v);
-  return {0, 0};
 }
 
 bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
@@ -283,7 +212,7 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
       break;
     }
     ++report.newton;
-    Move step{1, 1};
+    Move step{1, 0, 0};
     if (takes_whole_steps) {
       x_from_ = x;
       v_from_ = v;
@@ -298,14 +227,18 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
     if (stage.one_iteration || (step.a == 1 && report.increment <= model_.solver.tolerance)) return true;
     if (step.a == 0 && !exactness.exact() && !kept_tangent_) {
       report.reason = "no step along the Newton direction lowers the potential";
+      stuck_ = true;
       break;
     }
-    if (progress.ended(step.share, report.increment)) {
-      report.reason = "the iteration makes no progress";
+    const Progress::Kind made = progress.look(step.fall, step.promised, report.increment, noise_of(potential_here));
+    if (made != Progress::Kind::made) {
+      stuck_ = made == Progress::Kind::none;
+      report.reason =
+          stuck_ ? "the iteration makes no progress" : "round-off hides what is left of the potential's fall";
       break;
     }
     full_step_before = step.a == 1;
-    exactness.look(step.a == 1 && report.factorisations <= factors + 1, report.increment);
+    exactness.look(step.a >= 1 && report.factorisations <= factors + 1, report.increment);
   }
   report.converged = false;
   if (k == most) report.reason = "solver.max_iterations reached";

@@ -9,6 +9,7 @@
 namespace sim {
 
 constexpr double step_share = 0.9;  // of the largest step that a term allows
+constexpr int most_cuts = 40;       // of a step to its half, where it does not lower the potential
 
 // One stage, in the variables of sim/time/scheme.h. Vectors have D numbers per node.
 struct StageProblem {
@@ -38,6 +39,9 @@ class Newton {
   // The stage's potential up to a constant [J]; +infinity where it is not allowed.
   double potential(const StageProblem& stage, const Motion& motion);
 
+  // Since begin_step, an iteration ended as it made no progress: shorter steps may be solved.
+  bool stuck() const { return stuck_; }
+
   TangentOperator& tangent() { return tangent_; }
 
  private:
@@ -49,11 +53,16 @@ class Newton {
   bool bring_prescribed(const StageProblem& stage, const Motion& motion, Eigen::VectorXd& x, Eigen::VectorXd& v,
                         StepReport& report);
   struct Move {
-    double a;      // of dx_ that was taken
-    double share;  // fall of the potential beyond its round-off, over what the slope promises for all of dx_
+    double a;         // of dx_ that was taken
+    double fall;      // of the potential, beyond its round-off [J]
+    double promised;  // by the slope, for all of dx_ [J]
   };
+  double noise_of(double potential) const;
+  double lengthen(const StageProblem& stage, const Motion& motion, double before, double slope, double& potential_here,
+                  Eigen::VectorXd& x, Eigen::VectorXd& v);
   Move line_search(const StageProblem& stage, const Motion& motion, double& potential_here, Eigen::VectorXd& x,
                    Eigen::VectorXd& v, StepReport& report);
+  double slope_at(const StageProblem& stage, const Motion& motion, StepReport& report);
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
@@ -64,9 +73,10 @@ class Newton {
   TangentOperator tangent_;
   std::unique_ptr<LinearSolver> linear_;
   Definiteness made_ = Definiteness::clamp;  // how the tangent of the latest direction was made definite
-  bool kept_tangent_ = false;                // it is that of the iteration before
-  bool is_singular_ = false;                 // its matrix: there is no direction
-  double residual_norm_ = 0;                 // there, N
+  bool stuck_ = false;
+  bool is_singular_ = false;   // the matrix of the latest direction: there is none
+  bool kept_tangent_ = false;  // it is that of the iteration before
+  double residual_norm_ = 0;   // there, N
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
   Eigen::VectorXd way_;     // of prescribed components to their places
   bool is_moving_ = false;  // they are on it

@@ -109,6 +109,21 @@ class Rest {
   int quiet_ = 0;
 };
 
+// How far the energy rises above what it was.
+class Gain {
+ public:
+  explicit Gain(const Measures& start) : start_(total(start)) { look(start); }
+  void look(const Measures& now) {
+    rise_ = std::max(rise_, total(now) - start_);
+    scale_ = std::max(scale_, now.kinetic + now.elastic);
+  }
+  double share() const { return scale_ > 0 ? rise_ / scale_ : 0; }
+
+ private:
+  static double total(const Measures& m) { return m.kinetic + m.elastic + m.potential; }
+  double start_, rise_ = 0, scale_ = 0;  // J
+};
+
 void add(const StepReport& report, Recovery& r) {
   r.min_J = r.steps == 0 ? report.min_J : std::min(r.min_J, report.min_J);
   r.inverted = report.inverted;
@@ -122,32 +137,52 @@ void add(const StepReport& report, Recovery& r) {
 
 }  // namespace
 
-Recovery recover(const System& system, std::int64_t steps, bool loaded, const std::function<bool()>& interrupted) {
+void Recovery::then(const Recovery& later) {
+  verdict = later.verdict;
+  failure = later.failure;
+  if (reason.empty()) reason = later.reason;
+  distance = later.distance;
+  min_J = std::min(min_J, later.min_J);
+  inverted = later.inverted;
+  wound = later.wound;
+  steps += later.steps;
+  not_converged += later.not_converged;
+  splits += later.splits;
+  newton += later.newton;
+  linear += later.linear;
+  if (later.gain) gain = std::max(gain.value_or(0), *later.gain);
+}
+
+Recovery recover(const System& system, State& state, std::int64_t steps, const RecoveryOptions& options,
+                 const std::function<bool()>& interrupted) {
   constexpr double near = 1e-4;
-  constexpr int most_unsolved = 20;  // steps in a row
+  constexpr int most_unsolved = 50;  // steps in a row
   const auto stepper = make_stepper(system, 1);
-  State state = system.initial_state();
-  Rest rest(system, state, loaded);
+  const std::int64_t end = state.step + steps;
+  Rest rest(system, state, options.loaded);
+  std::optional<Gain> gain;
+  if (options.energy) gain.emplace(system.measure(state));
   Recovery r;
   int unsolved = 0;
-  while (state.step < steps && !rest.dead() && r.failure.empty() && !interrupted()) {
-    StepReport report = stepper->step(state);
+  while (state.step < end && !rest.dead() && r.failure.empty() && unsolved < most_unsolved && !interrupted()) {
+    const StepReport report = stepper->step(state);
     if (report.failure.empty()) {
       add(report, r);
       rest.look(state);
+      if (gain) gain->look(system.measure(state));
       unsolved = report.converged ? 0 : unsolved + 1;
-      if (unsolved == most_unsolved)
-        report.failure = std::to_string(most_unsolved) + " steps in a row did not converge";
+    } else {
+      r.failure = failure_text(system, report);
     }
-    if (!report.failure.empty()) r.failure = failure_text(system, report);
   }
   r.distance = shape_distance(system, state.x, parts_of(system).model.X);
   r.wound = wound_places(system, state.x);
+  if (gain) r.gain = gain->share();
   if (!r.failure.empty())
     r.verdict = Verdict::stopped;
   else if (!rest.settled())
     r.verdict = unsolved > 0 ? Verdict::iterating : Verdict::moving;
-  else if (loaded)
+  else if (options.loaded)
     r.verdict = Verdict::at_rest_loaded;
   else
     r.verdict = r.distance <= near ? Verdict::recovered : Verdict::other_equilibrium;

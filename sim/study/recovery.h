@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/system.h"
@@ -23,8 +24,8 @@ enum class Verdict {
   at_rest_loaded,     // at rest under the scene's loads
   other_equilibrium,  // at rest elsewhere, perhaps with inverted elements
   moving,             // at the end, by physics: its steps are solved, it had no time to come to rest
-  iterating,          // at the end: the last step was not solved
-  stopped,            // a step could not be taken, or 20 in a row did not converge
+  iterating,          // at the end, or after 50 steps in a row that were not solved: the last one was not
+  stopped,            // a step could not be taken
 };
 
 struct Recovery {
@@ -38,10 +39,23 @@ struct Recovery {
   std::int64_t steps = 0;  // taken; fewer than asked for where it came to rest before
   int not_converged = 0;   // steps
   std::int64_t splits = 0, newton = 0, linear = 0;
+  // Largest rise of kinetic, elastic and potential energy above the start's, over the largest kinetic and elastic
+  // energy; told where asked for.
+  std::optional<double> gain;
+
+  // The same body, gone on with.
+  void then(const Recovery& later);
 };
 
-// Takes `steps` steps, or fewer when the shape does not change any more. `loaded`: the scene has loads, so that the
-// rest shape is not what it should come to. Ends early, with what there is, when `interrupted` says so.
-Recovery recover(const System& system, std::int64_t steps, bool loaded, const std::function<bool()>& interrupted);
+// What recover looks at besides the shape.
+struct RecoveryOptions {
+  bool loaded = false;  // the scene has loads, so that the rest shape is not what it should come to
+  bool energy = false;  // nothing but forces of a potential acts: the gain of energy is looked for
+};
+
+// Moves the state by `steps` steps, or fewer when the shape does not change any more or 50 in a row are not solved.
+// Ends early, with what there is, when `interrupted` says so.
+Recovery recover(const System& system, State& state, std::int64_t steps, const RecoveryOptions& options,
+                 const std::function<bool()>& interrupted);
 
 }  // namespace sim

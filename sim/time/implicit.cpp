@@ -193,6 +193,8 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
   if (model_.solver.on_failure != OnFailure::split || scheme_.is_static) return report.failure.empty();
+  // Iterations that got on, but were not given the time, would get on no faster in shorter steps.
+  if (report.failure.empty() && !newton_.stuck()) return true;
   // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
   // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
   in_vain_ = in_vain_ || depth == most_halvings;

@@ -38,6 +38,21 @@ TEST(Stability, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
     EXPECT_TRUE(all.contains(std::string("start/twisted ") + element + " stable-neo-hookean backward-euler"))
         << element;
   EXPECT_FALSE(all.contains("start/mirrored tri3 sheet stable-neo-hookean backward-euler"));
+  for (const sim::Scheme& scheme : sim::schemes())
+    if (!scheme.is_static)
+      for (const char* obstacle : {"dropped on a plane", "thrown at a sphere, 40 m/s", "squeezed by planes"})
+        EXPECT_TRUE(all.contains(std::string("obstacle/") + obstacle + " tet4 stable-neo-hookean " +
+                                 std::string(scheme.name)))
+            << obstacle << scheme.name;
+  for (const char* body : {"star", "shell", "annulus", "two parts", "tri3 sheet"})
+    for (const char* extreme : {"untangle/scrambled", "step/h = 2 s", "material/nu = 0.4999", "mesh/aspect 100",
+                                "script/twisted by 720 degrees in 1/60 s", "obstacle/squeezed by planes",
+                                "bending/nu = 0.499"})
+      EXPECT_TRUE(all.contains(std::string(extreme) + " " + body + " stable-neo-hookean backward-euler"))
+          << extreme << " " << body;
+  for (const char* beam : {"tri3 beam", "quad4 beam", "tri6 beam", "tet4 beam", "hex8 beam", "tet10 beam"})
+    EXPECT_TRUE(all.contains(std::string("bending/nu = 0.4999 ") + beam + " stable-neo-hookean backward-euler"))
+        << beam;
 }
 
 TEST(Stability, OnlyAndQuickThinItOut) {

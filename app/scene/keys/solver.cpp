@@ -23,8 +23,8 @@ std::vector<Key> solver_keys() {
        "g the integrator's share of it."},
       {"solver.max_iterations", Form(Kind::integer, "", between(1, 100000)),
        field<solver_of, &sim::Solver::max_iterations>,
-       "The most Newton iterations that a stage of a step may take; solver.on_failure says what happens where they do "
-       "not suffice."},
+       "The most Newton iterations that a stage of a step may take. Where they do not suffice although each gets on, "
+       "the step is accepted unsolved, and so slow that it has no more energy than when it began."},
       {"solver.lag_iterations", Form(Kind::integer, "", between(0, 100)),
        field<solver_of, &sim::Solver::lag_iterations>,
        "Beta damping takes its stiffness, and friction its pressure, from the beginning of the step, which costs them "
@@ -39,8 +39,8 @@ std::vector<Key> solver_keys() {
        "whole "
        "steps wherever they lead: to a saddle or a maximum as well. Its linear systems are solved by LU."},
       {"solver.on_failure", Form(Kind::choice).of(names_of<sim::OnFailure>), field<solver_of, &sim::Solver::on_failure>,
-       "What happens to a step whose equations are not solved: \"split\" takes it again in halves (16 parts at most), "
-       "\"accept\" goes on with what there is, \"stop\" ends the run."},
+       "What happens to a step whose equations are not solved: \"split\" takes it again in halves (16 parts at most) "
+       "where its iterations no longer get on, \"accept\" goes on with what there is, \"stop\" ends the run."},
   };
 }
 

@@ -1,0 +1,90 @@
+// How far Newton's method goes along a direction.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/solve/newton.h"
+
+namespace sim {
+
+namespace {
+
+constexpr double armijo = 1e-4;         // share of the predicted decrease that a step must give
+constexpr double straight = 0.8;        // share of the promised fall; a tangent that is right gives half
+constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
+
+}  // namespace
+
+// Round-off of the stage's potential, relative to the largest of its parts that are known.
+double Newton::noise_of(double potential) const {
+  return energy_noise * (model_.energy_scale + 10 * std::abs(potential));
+}
+
+// dx . grad of the potential at the motion; residual_ is that of the motion then.
+double Newton::slope_at(const StageProblem& stage, const Motion& motion, StepReport& report) {
+  tangent_.forces(motion, f_);
+  ++report.force_evaluations;
+  form_residual(stage, motion);
+  return -residual_.dot(dx_);
+}
+
+// Armijo backtracking; the step taken is 0 when none decreases the potential. Where the step changes it by so little
+// that the round-off of much deformed elements may decide, the slopes at both ends tell instead: the fall of a parabola
+// is their mean times the step. ["approximate Wolfe", Hager and Zhang 2005]
+Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion, double& potential_here,
+                                 Eigen::VectorXd& x, Eigen::VectorXd& v, StepReport& report) {
+  constexpr double too_fine = 1e-10;  // change of the potential, relative to its parts
+  const double slope = -residual_.dot(dx_);
+  const double before = potential_here;
+  const double limit = tangent_.largest_step(motion, dx_);
+  double a = limit < 1 ? step_share * limit : 1;
+  x_from_ = x;
+  v_from_ = v;
+  const double noise = noise_of(before), fine = too_fine * (model_.energy_scale + std::abs(before));
+  for (int k = 0; k <= most_cuts; ++k, a *= 0.5) {
+    move(stage, a, x, v);
+    potential_here = potential(stage, motion);
+    const double fall = before - potential_here - noise;
+    if (fall >= -armijo * a * slope - 2 * noise) {
+      const bool plane = !pure_ && a == 1 && fall > straight * -slope;
+      return {plane ? lengthen(stage, motion, before, slope, potential_here, x, v) : a, fall, -slope};
+    }
+    if (potential_here <= before + fine) {
+      const double there = slope_at(stage, motion, report);
+      if (there <= (2 * armijo - 1) * slope) return {a, -a * (slope + there) / 2, -slope};
+    }
+    ++report.backtracks;
+  }
+  move(stage, 0, x, v);
+  potential_here = before;
+  return {0, 0, -slope};
+}
+
+// A whole step has lowered the potential almost as if it were a plane: the tangent, made definite, is too stiff along
+// dx_. Goes on to where the parabola through slope and fall is lowest,
+//   fall(a) = promised (a - c a^2):  a = 1/(2c),
+// as long as that lowers it further, and no further than terms allow. Returns the step.
+double Newton::lengthen(const StageProblem& stage, const Motion& motion, double before, double slope,
+                        double& potential_here, Eigen::VectorXd& x, Eigen::VectorXd& v) {
+  constexpr int most_tries = 10;
+  constexpr double most_at_once = 16, worth_it = 1.5;  // times as long
+  const double noise = noise_of(before);
+  double a = 1;
+  for (int k = 0; k < most_tries; ++k) {
+    const double share = (before - potential_here - noise) / (a * -slope);
+    const double longer = share < 1 ? std::min(1 / (2 * (1 - share)), most_at_once) : most_at_once;
+    if (longer < worth_it) break;
+    product_ = (longer - 1) * a * dx_;
+    if (tangent_.largest_step(motion, product_) < 1) break;
+    move(stage, longer * a, x, v);
+    const double after = potential(stage, motion);
+    if (!(after < potential_here)) {
+      move(stage, a, x, v);
+      break;
+    }
+    potential_here = after;
+    a *= longer;
+  }
+  return a;
+}
+
+}  // namespace sim
