@@ -1,15 +1,35 @@
 #include "sim/stepper.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/build/parts.h"
 #include "sim/time/explicit.h"
 #include "sim/time/implicit.h"
 
 namespace sim {
+namespace {
+
+// Statics of what nothing holds: every step fails, and says why.
+class Unheld final : public Stepper {
+ public:
+  explicit Unheld(std::string why) : why_(std::move(why)) {}
+  StepReport step(State& state) override {
+    StepReport report;
+    report.step = state.step + 1;
+    report.failure = why_;
+    return report;
+  }
+
+ private:
+  std::string why_;
+};
+
+}  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const System& system, int threads) {
   const Parts& parts = parts_of(system);
+  if (!parts.no_equilibrium.empty()) return std::make_unique<Unheld>(parts.no_equilibrium);
   if (parts.scheme->is_explicit()) return std::make_unique<ExplicitStepper>(parts.model, *parts.scheme, threads);
   return std::make_unique<ImplicitStepper>(parts.model, *parts.scheme, threads);
 }

@@ -6,6 +6,10 @@
 
 #include "sim/body/start.h"
 #include "sim/build/contacts.h"
+#include "sim/build/held.h"
+#include "sim/build/key_path.h"
+#include "sim/build/loads.h"
+#include "sim/build/touching.h"
 #include "sim/build/warnings.h"
 #include "sim/element/element.h"
 #include "sim/mesh/boundary.h"
@@ -16,8 +20,6 @@
 #include "sim/term/damping.h"
 #include "sim/term/gravity.h"
 #include "sim/term/obstacle.h"
-#include "sim/term/spring.h"
-#include "sim/term/traction.h"
 #include "sim/term/untangle.h"
 #include "sim/time/implicit.h"
 #include "sim/time/stable_step.h"
@@ -25,20 +27,6 @@
 namespace sim {
 
 namespace {
-
-std::string key_of(const char* list, std::size_t k) {
-  return std::string(list) + "." + std::to_string(k);
-}
-
-// Calls f; errors that name a key below `prefix` then name the whole path.
-template <class F>
-auto below(const std::string& prefix, const F& f) {
-  try {
-    return f();
-  } catch (const InputError& error) {
-    throw InputError(prefix + "." + error.key, error.what());
-  }
-}
 
 // Which material each element has: 0 is the body's own, later ones override groups.
 std::vector<int> material_of_elements(const Body& body, std::size_t number) {
@@ -137,15 +125,9 @@ void check_start(const Model& model) {
   }
 }
 
-void add_loads(Model& model, std::size_t b) {
+// Effects of the body's own: what undoes its tangles, and damping.
+void add_own_terms(Model& model, std::size_t b) {
   const Body& body = model.bodies[b];
-  for (std::size_t k = 0; k < body.tractions.size(); ++k) {
-    const std::string key = key_of("body", b) + "." + key_of("traction", k);
-    const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.tractions[k].where); });
-    if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
-    model.terms.push_back(
-        std::make_unique<TractionLoad>(body, body.tractions[k], facets, model.ranges[b].first_node, model.X, model.D));
-  }
   if (body.untangle > 0)
     model.terms.push_back(std::make_unique<UntangleTerm>(body, material_of_elements(body, b),
                                                          model.ranges[b].first_node, model.X, model.pins, model.D));
@@ -161,6 +143,7 @@ void add_loads(Model& model, std::size_t b) {
 void add_obstacles(Model& model, const std::vector<Obstacle>& obstacles) {
   if (obstacles.empty()) return;
   constexpr double thousandth = 1e-3;
+  const std::vector<char> still = still_nodes(model);
   std::vector<ObstacleTerm::Contact> contacts;
   double size = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -170,38 +153,15 @@ void add_obstacles(Model& model, const std::vector<Obstacle>& obstacles) {
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     const double L = model.ranges[b].size, area = L * L / static_cast<double>(nodes.size());
     for (const int node : nodes)
-      contacts.push_back({model.ranges[b].first_node + node, model.bodies[b].materials[0].young * area / L});
+      if (!still[model.ranges[b].first_node + node])
+        contacts.push_back({model.ranges[b].first_node + node, model.bodies[b].materials[0].young * area / L});
     size = std::min(size, L);
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     auto term = std::make_unique<ObstacleTerm>(obstacles[k], contacts, thousandth * size, thousandth * size, model.D);
-    for (const ObstacleTerm::Contact& contact : contacts) {
-      Vec3 x = Vec3::Zero(), normal;
-      x.head(model.D) = model.x_start.segment(static_cast<Eigen::Index>(contact.node) * model.D, model.D);
-      if (!(term->distance(x, normal) > 0))
-        throw InputError(key_of("obstacle", k), "a body starts inside this obstacle");
-    }
+    for (const BodyRange& body : model.ranges)
+      part_from_obstacle(*term, key_of("obstacle", k), body, thousandth * size / 2, model);
     model.terms.push_back(std::move(term));
-  }
-}
-
-// The body and the material point that a key names.
-ProbePlace find_point(const Model& model, const std::string& key, const std::string& body, const Vec3& at) {
-  const auto range =
-      std::find_if(model.ranges.begin(), model.ranges.end(), [&](const BodyRange& r) { return r.name == body; });
-  if (range == model.ranges.end()) throw InputError(key + ".body", "\"" + body + "\" is not the name of a body");
-  const auto point = locate(*range->mesh, at);
-  if (!point) throw InputError(key + ".at", "the point is outside the body \"" + body + "\"");
-  return {range->first_node, range->mesh, *point};
-}
-
-void add_springs(Model& model, const std::vector<Spring>& springs) {
-  for (std::size_t k = 0; k < springs.size(); ++k) {
-    const ProbePlace place = find_point(model, key_of("spring", k), springs[k].body, springs[k].at);
-    std::vector<int> nodes;
-    for (std::size_t a = 0; a < place.point.weights.size(); ++a)
-      nodes.push_back(place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element));
-    model.terms.push_back(std::make_unique<SpringTerm>(springs[k], nodes, place.point.weights, model.D));
   }
 }
 
@@ -265,13 +225,18 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) add_body(model, b);
   if (scene.world.gravity.head(model.D).norm() > 0)
     model.terms.push_back(std::make_unique<Gravity>(scene.world.gravity, model.masses, model.X, model.D));
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) add_loads(model, b);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    add_loads(model, b);
+    add_own_terms(model, b);
+  }
   add_obstacles(model, scene.obstacles);
   add_contacts(*parts, scene);
   add_springs(model, scene.springs);
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(model, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
   check_start(model);
+  if (parts->scheme->is_static)
+    parts->no_equilibrium = moved_as_a_whole(model, scene.springs, !scene.obstacles.empty());
   warn(*parts);
   settle_substeps(*parts);
   form_pattern(*parts);

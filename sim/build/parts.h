@@ -23,6 +23,7 @@ struct Parts {
   const Scheme* scheme = nullptr;
   std::vector<ProbePlace> probes;
   std::vector<std::string> remarks;
+  std::string no_equilibrium;  // statics: why there is none; empty: there may be one
 };
 
 const Parts& parts_of(const System& system);

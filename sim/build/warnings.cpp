@@ -1,23 +1,99 @@
 #include "sim/build/warnings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
+#include "sim/build/bending.h"
 #include "sim/element/element.h"
 
 namespace sim {
 
 namespace {
 
-// Linear simplices lock where the material hardly changes its volume: they bend too little. [Hughes 1987, 4.4]
+// The mean extents of the elements along the axes of space [m].
+Eigen::VectorXd element_extents(const Mesh& mesh) {
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(mesh.X.rows());
+  for (const auto& nodes : mesh.elements.colwise()) {
+    const Eigen::MatrixXd X = mesh.X(Eigen::all, nodes);
+    mean += (X.rowwise().maxCoeff() - X.rowwise().minCoeff()) / mesh.element_count();
+  }
+  return mean;
+}
+
+// The quadratic element that fills the same room.
+std::string better_element(const ElementInfo& element) {
+  return element.dimension == 3 ? "tet10" : "tri6";
+}
+
+std::string in_text(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+std::string percent(double share) {
+  return std::to_string(std::lround(100 * share)) + " %";
+}
+
+// An element locks near incompressibility where it is far stiffer with the material's ratio than with one of 0.3 in a
+// confined block, whose elements must keep their volumes by what few nodes they have inside.
+bool locks(const ElementInfo& element, double poisson) {
+  constexpr double usual = 0.3, noticed = 0.1;
+  const int n = element.order == 1 ? 4 : 2;  // as many nodes
+  const BentBlock block{{1, 1, 1}, {n, n, n}, true};
+  return bending_excess(element.kind, block, poisson) - bending_excess(element.kind, block, usual) > noticed;
+}
+
 void warn_of_locking(Parts& parts, const Body& body) {
   const ElementInfo& element = info(body.mesh.kind);
-  if (element.order != 1 || !element.simplex() || !element.quadratic || element.dimension < parts.model.D) return;
-  for (const MaterialSpec& material : body.materials)
-    if (material.poisson >= 0.48)
-      parts.remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
-                              ") and Poisson's ratio " + std::to_string(material.poisson) +
-                              " >= 0.48: it will bend too little; use element = \"" +
-                              std::string(info(*element.quadratic).name) + "\"");
+  constexpr double nearly_incompressible = 0.48;
+  if (element.dimension < parts.model.D) return;
+  for (const MaterialSpec& material : body.materials) {
+    if (material.poisson < nearly_incompressible || !locks(element, material.poisson)) continue;
+    parts.remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
+                            ") and Poisson's ratio " + in_text(material.poisson) +
+                            ": it will bend too little (a block of two of them a side is " +
+                            percent(bending_excess(element.kind, {}, material.poisson)) +
+                            " too stiff); use element = \"" + better_element(element) + "\"");
+  }
+}
+
+// A piece of a slender body, as long as its elements and as high as the body.
+BentBlock piece_of(const Mesh& mesh, Eigen::Index along, Eigen::Index up) {
+  const Eigen::VectorXd height = mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff(),
+                        size = element_extents(mesh);
+  constexpr double most = 4;  // more of them across change little
+  BentBlock block;
+  block.lengths = Vec3(size[along] / height[up], 1, 1);
+  if (mesh.X.rows() == 3) block.lengths[2] = size[3 - along - up] / height[up];
+  block.cells = {1, static_cast<int>(std::clamp(std::round(height[up] / size[up]), 1.0, most)), 1};
+  return block;
+}
+
+// Linear elements answer a curvature with a shear that bending has not, which is the larger, the longer they are beside
+// the height of the body. [Cook et al. 2002, 6.6: parasitic shear]
+void warn_of_slender_bending(Parts& parts, const Body& body) {
+  const ElementInfo& element = info(body.mesh.kind);
+  const Eigen::VectorXd extent = body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff();
+  Eigen::Index along = 0, up = 0;
+  const double length = extent.maxCoeff(&along), height = extent.minCoeff(&up);
+  constexpr double slender = 5, noticed = 0.1, usual = 0.3;
+  if (element.dimension < parts.model.D || length < slender * height) return;
+  const BentBlock piece = piece_of(body.mesh, along, up);
+  const double excess = bending_excess(element.kind, piece, std::min(body.materials[0].poisson, usual));
+  if (excess < noticed) return;
+  parts.remarks.push_back("locking: \"" + body.name + "\" is slender, and its elements (" + std::string(element.name) +
+                          ") are " + in_text(piece.lengths[0]) +
+                          " times as long as it is high: it will bend too little (a piece of it is " + percent(excess) +
+                          " too stiff); use element = \"" + better_element(element) + "\" or more cells");
+}
+
+void warn_of_nothing_to_move(Parts& parts) {
+  Eigen::VectorXd free(parts.model.dofs());
+  parts.model.pins.mark(0, free);
+  if (free.sum() == 0 && parts.model.pins.released(1e30) == 0)
+    parts.remarks.push_back("pins: every component of every node is prescribed, so nothing is left to move by itself");
 }
 
 // lambda < 0 where nu < 0: lambda/2 (J - 1)^2 falls without end as J grows, lambda/2 ln(J)^2 as J -> 0.
@@ -40,9 +116,11 @@ void warn_of_mass_solve(Parts& parts) {
 void warn(Parts& parts) {
   for (const Body& body : parts.model.bodies) {
     warn_of_locking(parts, body);
+    warn_of_slender_bending(parts, body);
     warn_of_falling_energy(parts, body);
   }
   warn_of_mass_solve(parts);
+  warn_of_nothing_to_move(parts);
 }
 
 }  // namespace sim

@@ -1,0 +1,97 @@
+#include "sim/build/touching.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include "sim/mesh/boundary.h"
+#include "sim/mesh/input_error.h"
+#include "sim/mesh/locate.h"
+
+namespace sim {
+namespace {
+
+// The surface node that is deepest in the obstacle.
+struct Deepest {
+  double distance = std::numeric_limits<double>::infinity();  // m
+  Vec3 out = {0, 0, 0};                                       // normal of the obstacle there
+  double largest = 0;                                         // m, of all coordinates of the body
+};
+
+std::vector<Vec3> surface_points(const BodyRange& body, const std::vector<char>& still, const Model& model) {
+  const Eigen::MatrixXi facets = surface_facets(*body.mesh);
+  std::vector<int> nodes(facets.data(), facets.data() + facets.size());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<Vec3> points;
+  for (const int node : nodes) {
+    if (still[body.first_node + node]) continue;
+    Vec3 x = Vec3::Zero();
+    x.head(model.D) = model.x_start.segment(static_cast<Eigen::Index>(body.first_node + node) * model.D, model.D);
+    points.push_back(x);
+  }
+  return points;
+}
+
+Deepest find_deepest(const ObstacleTerm& obstacle, const std::vector<Vec3>& points) {
+  Deepest deepest;
+  for (const Vec3& x : points) {
+    Vec3 normal;
+    const double d = obstacle.distance(x, normal);
+    deepest.largest = std::max(deepest.largest, x.cwiseAbs().maxCoeff());
+    if (d < deepest.distance) deepest = {d, normal, deepest.largest};
+  }
+  return deepest;
+}
+
+// The least t [m] for which distance(x + t n) > 0, by doubling and halving, as any shape can say its distance.
+double way_out(const ObstacleTerm& obstacle, const Vec3& x, const Vec3& n, double depth) {
+  constexpr int halvings = 60;
+  Vec3 normal;
+  double low = 0, high = depth;
+  while (!(obstacle.distance(x + high * n, normal) > 0) && high < 1e6 * depth) high *= 2;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (low + high) / 2;
+    (obstacle.distance(x + middle * n, normal) > 0 ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+std::vector<char> still_nodes(const Model& model) {
+  std::vector<char> still(model.node_count, 0);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    for (const Pin& pin : model.bodies[b].pins) {
+      const auto held = [&](char axis) { return pin.axes.find(axis) != std::string::npos; };
+      if (!pin.motion.empty() || pin.release || !held('x') || !held('y') || (model.D == 3 && !held('z'))) continue;
+      for (const int node : nodes_in(model.bodies[b].mesh, pin.where)) still[model.ranges[b].first_node + node] = 1;
+    }
+  }
+  return still;
+}
+
+void part_from_obstacle(const ObstacleTerm& obstacle, const std::string& key, const BodyRange& body, double gap,
+                        Model& model) {
+  constexpr double billionth = 1e-9, last_digits = 1e-14;  // of the body's size, of coordinates far from the origin
+  const std::vector<Vec3> points = surface_points(body, still_nodes(model), model);
+  const Deepest deepest = find_deepest(obstacle, points);
+  if (deepest.distance > 0) return;
+  if (deepest.distance >= -std::max(billionth * body.size, last_digits * deepest.largest)) {
+    for (int node = body.first_node; node < body.first_node + body.node_count; ++node)
+      model.x_start.segment(static_cast<Eigen::Index>(node) * model.D, model.D) += gap * deepest.out.head(model.D);
+    return;
+  }
+  double way = 0;
+  for (const Vec3& x : points) {
+    Vec3 normal;
+    if (obstacle.distance(x, normal) <= 0) way = std::max(way, way_out(obstacle, x, deepest.out, -deepest.distance));
+  }
+  std::ostringstream message;
+  message << "\"" << body.name << "\" starts " << -deepest.distance << " m inside this obstacle: translate it by (";
+  for (int i = 0; i < model.D; ++i) message << (i == 0 ? "" : ", ") << way * deepest.out[i];
+  message << "), or move the obstacle";
+  throw InputError(key, message.str());
+}
+
+}  // namespace sim
