@@ -30,7 +30,7 @@ struct ColourScale {
   float low = 0;
   float high = 1;
   std::string label;  // "von Mises stress"
-  std::string unit;   // "pa"; may be empty
+  std::string unit;   // "kPa"; may be empty
 };
 
 // How bodies take the light.

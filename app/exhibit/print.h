@@ -17,7 +17,7 @@ render::Number number(const std::string& name, const char* format, double value,
 render::Matrix matrix(const std::string& label, const std::string& name, const char* format, const Eigen::MatrixXd& A,
                       const std::string& unit = {});
 
-// The power of 1000 that brings the largest entry to 1 ... 1000, with the unit's prefix: 48439 Pa -> 1e3, "pa".
+// The power of 1000 that brings the largest entry to 1 ... 1000, with the unit's prefix: 48439 Pa -> 1e3, "kPa".
 struct Scaled {
   double factor;  // unit / printed unit: divide by it
   std::string unit;

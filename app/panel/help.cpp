@@ -13,7 +13,7 @@ void draw_help(int width, int height) {
        {"Right", "one step"},
        {"Left", "one step back"},
        {"Backspace", "reset: the initial state"},
-       {"Page down, Page up", "the next and the last page of a deck"},
+       {"Page down, Page up", "the next page of a deck, and the one before"},
        {"W", "wireframe"},
        {"Tab", "panel"},
        {"Ctrl+L", "read the file again"},

@@ -42,7 +42,7 @@ double expected_strain(const sim::Scene& scene, const sim::Body& body, const sim
   return std::max(strain, speed * std::sqrt(material.density / material.young));
 }
 
-// The largest prefix below the value: 2.5e4 Pa is 25 pa.
+// The largest prefix below the value: 2.5e4 Pa is 25 kPa.
 std::pair<std::string, double> prefix(double value) {
   if (value >= 1e9) return {"G", 1e-9};
   if (value >= 1e6) return {"M", 1e-6};

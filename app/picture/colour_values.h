@@ -23,7 +23,7 @@ double reach_of(sim::Quantity quantity, const Eigen::VectorXd& values);
 // speeds; often too little, at least what is more than rounding errors.
 double expected_reach(sim::Quantity quantity, const sim::Scene& scene);
 
-// Values [SI] times `factor` are what the scale shows: pa, say, where the values are large in Pa.
+// Values [SI] times `factor` are what the scale shows: kPa, say, where the values are large in Pa.
 struct ColourRange {
   render::ColourScale scale;
   double factor = 1;

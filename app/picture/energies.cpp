@@ -10,7 +10,7 @@ namespace {
 // A prefix for the unit, by the largest number.
 std::pair<const char*, double> unit_for(double largest) {
   if (largest >= 1e6) return {"MJ", 1e-6};
-  if (largest >= 1e3) return {"j", 1e-3};
+  if (largest >= 1e3) return {"kJ", 1e-3};
   if (largest >= 1 || largest == 0) return {"J", 1};
   if (largest >= 1e-3) return {"mJ", 1e3};
   return {"\u00b5J", 1e6};

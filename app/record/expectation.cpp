@@ -109,7 +109,8 @@ std::string Expectation::summary() const {
     if (!result.drawn) lines += "\n  frame " + std::to_string(frame) + " was not drawn";
     if (!result.words.empty()) lines += "\n  frame " + std::to_string(frame) + " " + result.words;
   }
-  const std::string known = equal == 0 ? "" : formatted(" (largest difference of a channel: %d of 255)", largest);
+  const std::string known =
+      equal == 0 ? "" : formatted(" (within them no channel differs by more than %d of 255)", largest);
   return std::to_string(equal) + " of " + std::to_string(results_.size()) + " frames are as in " + stored_.string() +
          known + lines;
 }

@@ -117,11 +117,12 @@ void check_start(const Model& model) {
     if (std::isfinite(term->energy({x, v, 0, 0}, *store))) continue;
     const ElasticTerm::SmallestJ least = term->smallest_J(x, *store);
     const std::string what = term->info().what;
+    const std::string where = "element " + std::to_string(least.element) + " has J = " + std::to_string(least.J);
     throw InputError(key_of("body", body) + ".start",
-                     "inverts " + std::to_string(least.inverted) + " elements (element " +
-                         std::to_string(least.element) + " has J = " + std::to_string(least.J) +
+                     (least.inverted == 0 ? "deforms elements so far (" + where
+                                          : "inverts " + std::to_string(least.inverted) + " elements (" + where) +
                          "), where the energy of " + what.substr(0, what.find(',')) +
-                         " is infinite: start elsewhere, or take stable-neo-hookean or fixed-corotated");
+                         " is infinite: start elsewhere, or take fixed-corotated");
   }
 }
 

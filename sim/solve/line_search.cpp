@@ -39,13 +39,15 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
   double a = limit < 1 ? step_share * limit : 1;
   x_from_ = x;
   v_from_ = v;
+  // What is in the way could be gone around by a few long moves, each of them free.
+  const bool may_lengthen = !pure_ && !tangent_.limits_moves();
   const double noise = noise_of(before), fine = too_fine * (model_.energy_scale + std::abs(before));
   for (int k = 0; k <= most_cuts; ++k, a *= 0.5) {
     move(stage, a, x, v);
     potential_here = potential(stage, motion);
     const double fall = before - potential_here - noise;
     if (fall >= -armijo * a * slope - 2 * noise) {
-      const bool plane = !pure_ && a == 1 && fall > straight * -slope;
+      const bool plane = may_lengthen && a == 1 && fall > straight * -slope;
       return {plane ? lengthen(stage, motion, before, slope, potential_here, x, v) : a, fall, -slope};
     }
     if (potential_here <= before + fine) {

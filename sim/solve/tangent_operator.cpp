@@ -38,6 +38,10 @@ double TangentOperator::energy(const Motion& motion) {
   return U;
 }
 
+bool TangentOperator::limits_moves() const {
+  return std::any_of(model_.terms.begin(), model_.terms.end(), [](const auto& term) { return term->limits_moves(); });
+}
+
 double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd& dx) {
   double a = 1;
   for (std::size_t k = 0; k < stores_.size(); ++k)

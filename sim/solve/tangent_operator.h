@@ -34,6 +34,7 @@ class TangentOperator {
   void forces(const Motion& motion, Eigen::VectorXd& f);
   // U, +infinity where a term does not allow the motion
   double energy(const Motion& motion);
+  bool limits_moves() const;  // some term does
   double largest_step(const Motion& motion, const Eigen::VectorXd& dx);
 
   // free[i] = 0: component i is prescribed

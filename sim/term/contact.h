@@ -47,6 +47,7 @@ class ContactTerm final : public Term {
   std::vector<Crossing> crossings(const Eigen::VectorXd& x) const;
   const Input& input() const { return in_; }
 
+  bool limits_moves() const override { return true; }
   double largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store& store) const override;
 
  private:

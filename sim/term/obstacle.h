@@ -33,6 +33,7 @@ class ObstacleTerm final : public Term {
   void add_matrix(const Store& store, double s, BlockMatrix& A) const override;
   void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
   void bind(const BlockPattern& pattern) override;
+  bool limits_moves() const override { return true; }
   double largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store&) const override;
 
   // Signed distance [m] of a point, positive outside, and its gradient.

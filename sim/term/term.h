@@ -67,6 +67,8 @@ class Term {
   // Pairs (i, j), i < j, of the last linearisation's K that couple() could not name: bodies that touch.
   virtual void add_pairs(const Store&, std::vector<NodePair>&) const {}
 
+  // It does not allow every x.
+  virtual bool limits_moves() const { return false; }
   // The largest a <= 1 for which x + a dx is allowed, and all before it.
   virtual double largest_step(const Motion&, const Eigen::VectorXd& /*dx*/, Store&) const { return 1; }
 };

@@ -10,7 +10,7 @@ using sim::Quantity;
 TEST(ColourRange, IsRoundAndInAReadableUnit) {
   const Eigen::VectorXd stress = Eigen::VectorXd::LinSpaced(101, 0, 3.7e4);  // Pa
   const ColourRange range = colour_range(Quantity::stress, {}, reach_of(Quantity::stress, stress));
-  EXPECT_EQ(range.scale.unit, "pa");
+  EXPECT_EQ(range.scale.unit, "kPa");
   EXPECT_FLOAT_EQ(range.scale.low, 0);
   EXPECT_FLOAT_EQ(range.scale.high, 40);
   EXPECT_DOUBLE_EQ(range.factor, 1e-3);

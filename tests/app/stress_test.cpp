@@ -38,16 +38,17 @@ TEST(Stability, TheMatrixHasEveryStartForTheMaterialsAndSchemesThatAreToHold) {
     EXPECT_TRUE(all.contains(std::string("start/twisted ") + element + " stable-neo-hookean backward-euler"))
         << element;
   EXPECT_FALSE(all.contains("start/mirrored tri3 sheet stable-neo-hookean backward-euler"));
-  for (const sim::Scheme& scheme : sim::schemes())
-    if (!scheme.is_static)
-      for (const char* obstacle : {"dropped on a plane", "thrown at a sphere, 40 m/s", "squeezed by planes"})
-        EXPECT_TRUE(all.contains(std::string("obstacle/") + obstacle + " tet4 stable-neo-hookean " +
-                                 std::string(scheme.name)))
-            << obstacle << scheme.name;
+  for (const sim::Scheme& scheme : sim::schemes()) {
+    if (scheme.is_static) continue;
+    for (const char* obstacle : {"dropped on a plane", "thrown at a sphere, 40 m/s", "squeezed by planes"})
+      EXPECT_TRUE(
+          all.contains(std::string("obstacle/") + obstacle + " tet4 stable-neo-hookean " + std::string(scheme.name)))
+          << obstacle << scheme.name;
+  }
   for (const char* body : {"star", "shell", "annulus", "two parts", "tri3 sheet"})
-    for (const char* extreme : {"untangle/scrambled", "step/h = 2 s", "material/nu = 0.4999", "mesh/aspect 100",
-                                "script/twisted by 720 degrees in 1/60 s", "obstacle/squeezed by planes",
-                                "bending/nu = 0.499"})
+    for (const char* extreme :
+         {"untangle/scrambled", "step/h = 2 s", "material/nu = 0.4999", "mesh/aspect 100",
+          "script/twisted by 720 degrees in 1/60 s", "obstacle/squeezed by planes", "bending/nu = 0.499"})
       EXPECT_TRUE(all.contains(std::string(extreme) + " " + body + " stable-neo-hookean backward-euler"))
           << extreme << " " << body;
   for (const char* beam : {"tri3 beam", "quad4 beam", "tri6 beam", "tet4 beam", "hex8 beam", "tet10 beam"})
@@ -78,7 +79,6 @@ TEST(Stability, EveryCaseIsASceneThatCanBeBuilt) {
       const sim::System system(c.scene());
       EXPECT_GE(c.steps, 100) << c.name();
     } catch (const sim::InputError& error) {
-      EXPECT_EQ(c.subject->material, "neo-hookean") << c.name() << ": " << error.what();
       EXPECT_NE(std::string(error.what()).find(" is infinite: start elsewhere"), std::string::npos) << error.what();
       refused.insert(c.name());
     }

@@ -97,14 +97,14 @@ TEST_F(WindowTest, EndsWithTheLogWholeOnCtrlC) {
 }
 
 // What the window takes settles: states to step back to are at most 2,000, small ones here; allocators and the
-// rasteriser keep what they have once used. The highest of 10 s is no more than 500 b above that of the 10 s before: a
-// leak of 50 b a second does not pass.
+// rasteriser keep what they have once used. The highest of 10 s is no more than 500 kB above that of the 10 s before: a
+// leak of 50 kB a second does not pass.
 TEST_F(WindowTest, MemoryDoesNotGrow) {
   std::string scene = session_beam;
   scene.replace(scene.find("[4, 2, 2]"), 9, "[1, 1, 1]");
   write_all(folder_ / "beam.toml", scene);
   const auto ritz = view();
-  const auto highest = [&] {  // b, of the next 10 s
+  const auto highest = [&] {  // kB, of the next 10 s
     long most = 0;
     for (int k = 0; k < 10; ++k) {
       std::this_thread::sleep_for(1s);

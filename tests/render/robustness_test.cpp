@@ -22,7 +22,7 @@ Frame full_frame() {
   frame.camera.eye = {1.6F, 0.7F, 4.2F};
   frame.surfaces.push_back(shapes::bear(28));
   frame.surfaces[0].values.assign(frame.surfaces[0].positions.size() / 3, 3);
-  frame.scale = render::ColourScale{"cividis", 0, 5, "stress", "pa"};
+  frame.scale = render::ColourScale{"cividis", 0, 5, "stress", "kPa"};
   frame.ghosts.push_back(shapes::sphere({0.4F, 0, 0}, 0.5F));
   frame.planes.push_back({{0, 0, -1.5F}, {0, 0, 1}});
   frame.spheres.push_back({{1, -0.7F, 0}, 0.2F});

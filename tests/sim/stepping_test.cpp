@@ -180,19 +180,15 @@ TEST(Pins, FollowTheirScriptAndLetGo) {
 TEST(Solvers, AgreeWithEachOther) {
   Scene scene = test::beam("tet4", 2);
   scene.solver.tolerance = 1e-11;
-  Vec3 tip[5];
-  int k = 0;
+  std::vector<Vec3> tips;
   for (const auto& [linear, name] : choices<LinearSolverKind>) {
     scene.solver.linear = linear;
     Stepped run(scene);
     run.steps(10);
-    tip[k++] = run.tip();
+    tips.push_back(run.tip());
+    EXPECT_LT((tips.back() - tips.front()).norm(), 1e-9) << name;
   }
-  EXPECT_LT((tip[0] - tip[1]).norm(), 1e-9);
-  EXPECT_LT((tip[0] - tip[2]).norm(), 1e-9);
-  EXPECT_LT((tip[0] - tip[3]).norm(), 1e-9);
-  EXPECT_LT((tip[0] - tip[4]).norm(), 1e-9);
-  EXPECT_GT(tip[0].norm(), 0.1);
+  EXPECT_GT(tips.front().norm(), 0.1);
 }
 
 TEST(BadScenes, NameTheKeyAtFault) {

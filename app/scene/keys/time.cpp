@@ -42,7 +42,7 @@ std::vector<Key> time_keys() {
        "Frames per simulated second: frame k lies at k/fps exactly."},
       {"time.substeps", Form(Kind::substeps, "", between(1, 1e6)), field<time_of, &sim::Time::substeps>,
        "Steps per frame; a step is h = 1/(fps substeps) long. \"auto\" takes as many as an explicit integrator needs "
-       "to be stable."},
+       "to be stable, which is what they take where nothing is said."},
       {"time.step",
        Form(Kind::number, "s", between(1e-9, 1e6)).otherwise("from substeps"),
        {.get = [](const Document&, const Indices&) { return std::optional<Value>(); }, .set = set_step},
