@@ -281,6 +281,7 @@ TEST(LecturePages, NeedNoBody) {
   const Simulation simulation = build_simulation(page(file));
   EXPECT_EQ(simulation.system->counts().dofs, 0);
   EXPECT_EQ(simulation.system->dimension(), 2);
+  EXPECT_TRUE(simulation.remarks().empty()) << simulation.remarks()[0];
   Options options = page(file);
   EXPECT_EQ(explain(options), exit_done);
   options.out = folder / "run";
