@@ -90,6 +90,7 @@ void warn_of_slender_bending(Parts& parts, const Body& body) {
 }
 
 void warn_of_nothing_to_move(Parts& parts) {
+  if (parts.model.bodies.empty()) return;
   Eigen::VectorXd free(parts.model.dofs());
   parts.model.pins.mark(0, free);
   if (free.sum() == 0 && parts.model.pins.released(1e30) == 0)

@@ -230,7 +230,10 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
       stuck_ = true;
       break;
     }
-    const Progress::Kind made = progress.look(step.fall, step.promised, report.increment, noise_of(potential_here));
+    // Whole steps need not lower anything on their way.
+    const Progress::Kind made =
+        takes_whole_steps ? Progress::Kind::made
+                          : progress.look(step.fall, step.promised, report.increment, noise_of(potential_here));
     if (made != Progress::Kind::made) {
       stuck_ = made == Progress::Kind::none;
       report.reason =

@@ -257,6 +257,22 @@ TEST(LecturePages, PathsOfNewtonAreThoseOfTheKey) {
   }
 }
 
+// Whole steps wander about before they find where the slope is zero; nothing ends them for want of progress.
+TEST(LecturePages, PureNewtonWandersToItsEnd) {
+  const Changes changes = {{"body.0.start", "{ shape = \"nodes\", nodes = [[0, 0], [1, 0], [1.54, -0.2]] }"},
+                           {"solver.newton", "pure"},
+                           {"solver.definiteness", "none"},
+                           {"solver.tolerance", "1e-9"}};
+  const Simulation simulation = build_simulation(changed(page(deck_folder / "12-definiteness.toml"), changes));
+  sim::State state = simulation.system->initial_state();
+  const sim::NewtonPath path = sim::pure_newton(*simulation.system, state.x, sim::Definiteness::none);
+  const sim::StepReport report = sim::make_stepper(*simulation.system, 1)->step(state);
+  EXPECT_GT(path.iterations(), 20);
+  EXPECT_NEAR(report.newton, path.iterations(), 1);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT((state.x - path.points.back()).norm(), 1e-9);
+}
+
 // A page of numbers alone is a scene: explained, run and recorded as any other.
 TEST(LecturePages, NeedNoBody) {
   const TemporaryFolder folder;
@@ -265,6 +281,7 @@ TEST(LecturePages, NeedNoBody) {
   const Simulation simulation = build_simulation(page(file));
   EXPECT_EQ(simulation.system->counts().dofs, 0);
   EXPECT_EQ(simulation.system->dimension(), 2);
+  EXPECT_TRUE(simulation.remarks().empty()) << simulation.remarks()[0];
   Options options = page(file);
   EXPECT_EQ(explain(options), exit_done);
   options.out = folder / "run";
