@@ -39,7 +39,14 @@ class Column {
   float width_of(const Number& number) const {
     return width_of(number.text.starts_with('-') ? number.text : "-" + number.text);
   }
-  std::vector<float> widths_of(const Table& table) const;
+  // Of the columns of a table, the labels' first, and what they and the least space between them need.
+  struct Widths {
+    std::vector<float> of;
+    float sum = 0;
+  };
+  template <class WidthOfNumber>
+  Widths widths_of(const Table& table, const WidthOfNumber& width_of_number) const;
+  std::vector<float> widths_that_fit(const Table& table) const;
   void bracket(float x, float top, float bottom, float towards) const;
 
   const Page& page_;
@@ -93,25 +100,34 @@ void Column::add(const Matrix& matrix) {
   y_ += height + 0.35F * page_.size;
 }
 
-// Of the columns that fit, the labels' first.
-std::vector<float> Column::widths_of(const Table& table) const {
-  std::vector<float> widths;
-  for (const std::string& head : table.head) widths.push_back(width_of(head));
+template <class WidthOfNumber>
+Column::Widths Column::widths_of(const Table& table, const WidthOfNumber& width_of_number) const {
+  Widths widths;
+  for (const std::string& head : table.head) widths.of.push_back(width_of(head));
   for (const Table::Row& row : table.rows) {
-    widths[0] = std::max(widths[0], width_of(row.label));
+    widths.of[0] = std::max(widths.of[0], width_of(row.label));
     for (std::size_t c = 0; c < row.numbers.size(); ++c)
-      widths[c + 1] = std::max(widths[c + 1], width_of(row.numbers[c]));
+      widths.of[c + 1] = std::max(widths.of[c + 1], width_of_number(row.numbers[c]));
   }
-  float used = 0;
-  for (std::size_t c = 0; c < widths.size(); ++c) {
-    used += widths[c] + (c > 0 ? least_space * page_.size : 0);
-    if (used > right_ - left_) widths.resize(c);
-  }
+  for (const float width : widths.of) widths.sum += width;
+  widths.sum += least_space * page_.size * static_cast<float>(widths.of.size() - 1);
   return widths;
 }
 
+// With room for signs, or else without it, or else fewer columns.
+std::vector<float> Column::widths_that_fit(const Table& table) const {
+  const float room = right_ - left_;
+  Widths widths = widths_of(table, [&](const Number& number) { return width_of(number); });
+  if (widths.sum > room) widths = widths_of(table, [&](const Number& number) { return width_of(number.text); });
+  while (!widths.of.empty() && widths.sum > room) {
+    widths.sum -= widths.of.back() + least_space * page_.size;
+    widths.of.pop_back();
+  }
+  return widths.of;
+}
+
 void Column::add(const Table& table) {
-  const std::vector<float> widths = widths_of(table);
+  const std::vector<float> widths = widths_that_fit(table);
   const std::size_t columns = widths.size();
   if (columns == 0 || !has_room(1)) return;
   // Right edges of the columns of numbers, from the right.

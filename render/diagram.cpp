@@ -56,7 +56,7 @@ void Easel::ticks_across(float low, float high, float bottom) const {
   for (const Tick& mark : marks) {
     const float x = at({mark.at, diagram_.y[0]}).x;
     page_.list->AddLine({x, bottom}, {x, bottom - 0.3F * page_.size}, colour_of(Ink::black), line_width(page_));
-    page_.write(x, bottom + 0.15F * page_.size, mark.label, Align::centre, colour_of(Ink::black));
+    page_.write(x, bottom + 0.3F * page_.size, mark.label, Align::centre, colour_of(Ink::black));
   }
 }
 
@@ -89,7 +89,7 @@ void Easel::frame() const {
     ticks_across(low.x, high.x, low.y);
     ticks_up(low.x, low.y, high.y);
   }
-  const float below = low.y + (diagram_.axes ? 1.25F : 0.1F) * page_.size;
+  const float below = low.y + (diagram_.axes ? 1.3F : 0.1F) * page_.size;
   if (!diagram_.x_label.empty()) page_.write((low.x + high.x) / 2, below, diagram_.x_label, Align::centre, black);
   if (!diagram_.y_label.empty()) page_.write(low.x + 0.5F * page_.size, high.y, diagram_.y_label, Align::left, black);
 }

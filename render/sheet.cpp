@@ -20,13 +20,14 @@ Frameless inner(const Diagram& d, double width, double height) {
               (d.place.bottom - d.place.top) * height,
               d.x,
               d.y};
-  const double above = d.title.empty() ? 0.3 * letter : 1.3 * letter;
+  // The number at the upper end of an axis is half above it.
+  const double above = d.title.empty() ? 0.3 * letter : (d.axes ? 1.6 : 1.3) * letter;
   f.top += above;
   f.height -= above;
   if (d.axes) {
     f.left += 3.1 * letter;
     f.width -= 3.6 * letter;
-    f.height -= 1.3 * letter;
+    f.height -= 1.4 * letter;
   }
   if (!d.x_label.empty()) f.height -= letter;
   f.width = std::max(f.width, 1.0);

@@ -77,6 +77,7 @@ class ModeBook {
   void write_body(std::size_t number, std::string& table) {
     const sim::BodyRange& body = simulation_.system->bodies()[number];
     const sim::Modes modes = sim::vibration_modes(simulation_.document.scene, number, options_.count);
+    if (modes.omega.size() == 0) std::cerr << "note: " << body.name << ": all of its nodes are pinned\n";
     if (const auto still = (modes.omega.array() == 0).count(); still > 0)
       std::cerr << "note: " << body.name << ": " << still
                 << " of these modes cost no energy: rigid motions, or a flat membrane that moves across itself\n";

@@ -261,7 +261,7 @@ class FiveVectors : public Exhibit {
     const auto count = static_cast<double>(std::size(ways)), gap = 1.5;
     const double floor = std::log10(low) - 0.5;
     d.x = {-1, 3 * (count + gap) - gap};
-    d.y = {floor - 2, std::log10(high)};
+    d.y = {floor - 3.2, std::log10(high)};
     for (std::size_t g = 0; g < std::size(norms); ++g) {
       const double first = static_cast<double>(g) * (count + gap);
       for (std::size_t k = 0; k < choices_.size(); ++k) {
@@ -269,7 +269,7 @@ class FiveVectors : public Exhibit {
         d.strokes.push_back({{{at, floor}, {at, top}}, ways[k].ink, false, false, 4});
         d.words.push_back({{at, floor}, ways[k].letter, ways[k].ink, render::Side::below});
       }
-      d.words.push_back({{first + (count - 1) / 2, floor - 0.9}, norms[g].label, Ink::black, render::Side::below});
+      d.words.push_back({{first + (count - 1) / 2, floor - 1.3}, norms[g].label, Ink::black, render::Side::below});
     }
     return d;
   }

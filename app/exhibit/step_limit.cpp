@@ -34,6 +34,7 @@ class StepLimit : public Exhibit {
       throw sim::InputError("values",
                             "must be one number above 0, at most 2: the step that is dragged, over its limit");
     omega_ = sim::fastest_frequency(body_.alone(), 0);
+    if (omega_ == 0) throw sim::InputError("body", "must have a node that is not pinned");
     runs_ = {{"0.99", "0.99", 0.99, Ink::black, false, {}},
              {"1.01", "1.01", 1.01, Ink::red, false, {}},
              {"dragged", printed("%.3f", dragged), dragged, Ink::purple, false, {}},

@@ -12,8 +12,8 @@
 
 #include "sim/body/start.h"
 #include "sim/build/parts.h"
-#include "sim/solve/tangent_operator.h"
 #include "sim/linear/sparse.h"
+#include "sim/solve/tangent_operator.h"
 #include "sim/system.h"
 
 namespace sim {
@@ -91,6 +91,7 @@ Pairs sparse_pairs(const Pencil& pencil, Eigen::Index count) {
 Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
   const System system(alone(scene, body));
   const Pencil pencil(system);
+  if (pencil.size() == 0) return {{}, Eigen::MatrixXd(pencil.free.size(), 0)};  // all nodes are pinned
   const Eigen::Index wanted = std::min<Eigen::Index>(count, pencil.size());
   const bool dense = pencil.size() <= few || 4 * wanted > pencil.size();
   const Pairs pairs = dense ? dense_pairs(pencil, wanted) : sparse_pairs(pencil, wanted);
@@ -112,6 +113,7 @@ Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
 double fastest_frequency(const Scene& scene, std::size_t body) {
   const System system(alone(scene, body));
   const Pencil pencil(system);
+  if (pencil.size() == 0) return 0;
   if (pencil.size() <= few) return std::sqrt(dense_pairs(pencil, pencil.size()).values.maxCoeff());
   Product stiffness(pencil.K);
   Spectra::SparseCholesky<double> mass(pencil.M);

@@ -17,7 +17,7 @@ struct Modes {
 // components. Loads, obstacles and damping do not tell. Throws InputError where the body cannot be built.
 Modes vibration_modes(const Scene& scene, std::size_t body, int count);
 
-// The fastest of all [rad/s]: explicit schemes are stable for h < 2/omega.
+// The fastest of all [rad/s], 0 where all nodes are pinned: explicit schemes are stable for h < 2/omega.
 double fastest_frequency(const Scene& scene, std::size_t body);
 
 // The same scene, where every body with start.shape = "mode" has the positions of that start in start.nodes.

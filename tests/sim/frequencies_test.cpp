@@ -95,6 +95,13 @@ TEST(Frequencies, ModesAreOrthonormalAndRigidOnesCostNothing) {
     }
 }
 
+TEST(Frequencies, ABodyThatIsPinnedWhollyHasNone) {
+  Scene scene = plane_beam(ElementKind::tri3, 4, 2, 1e6);
+  scene.bodies[0].pins = {Pin{Box{{-9, -9, -9}, {9, 9, 9}}, "xy", {}, {}, false}};
+  EXPECT_EQ(vibration_modes(scene, 0, 5).omega.size(), 0);
+  EXPECT_EQ(fastest_frequency(scene, 0), 0);
+}
+
 // A body that starts in a mode comes back after a period: x(t) = X + a psi cos(omega t), small.
 TEST(Frequencies, ABodyThatStartsInAModeRingsWithItsFrequency) {
   Scene scene = plane_beam(ElementKind::quad4, 16, 4, 1e6);

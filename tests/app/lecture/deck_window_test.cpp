@@ -56,28 +56,38 @@ class DeckWindowTest : public WindowTest {
 };
 
 TEST_F(DeckWindowTest, PagesAreTurnedRingsDraggedAndReplayed) {
-  const std::filesystem::path xray = page("09"), newton = page("12");
+  const std::filesystem::path residuals = page("05"), xray = page("09"), newton = page("12");
   const auto ritz = view_of(lecture_deck, std::to_string(window_width) + "x" + std::to_string(window_height), {},
                             pages_of(lecture_deck)[0].stem().string());
   tool("key Tab");
-  turn("Next", presses(xray) + 1);
+  turn("Next", presses(residuals) + 1);
   turn("Prior", 1);
+  drag(residuals, 0, {{0.4, 0}, {0.3, 0}});
+  turn("Right", 2);
+  turn("Next", presses(xray) - presses(residuals));
   drag(xray, 2, {{0.6, 1.0}, {0.8, -0.4}, {0.8, -0.9}});
-  turn("Right", 3);
+  turn("Right", 2);
   turn("Next", presses(newton) - presses(xray));
   turn("Right", 1);
   drag(newton, 0, {{0.7, 0.4}, {0.9, 0.5}});
   turn("Right", 2);
   tool("key ctrl+q");
   ASSERT_EQ(ritz->wait(10s), 0) << read_all(log("ritz"));
-  // Every page that is opened begins a session of its own: the first is that of page 01.
-  const std::string of_xray = "session-" + std::to_string(presses(xray) + 2);
-  const std::string of_newton = "session-" + std::to_string(presses(newton) + 2);
-  expect_replayed(xray, of_xray);
-  expect_replayed(newton, of_newton);
-  const std::string numbers = read_all(folder_ / (of_xray + ".csv"));
-  EXPECT_NE(numbers.find("\n1,J,-"), std::string::npos) << "the triangle is turned over";
-  EXPECT_NE(read_all(folder_ / (of_newton + ".toml")).find("key = \"exhibit.0.nodes\""), std::string::npos);
+  // Every page that is opened begins a session of its own: the first is that of page 01; one page was turned twice.
+  const auto session_of = [&](const std::filesystem::path& file) {
+    return "session-" + std::to_string(presses(file) + 2);
+  };
+  for (const std::filesystem::path& file : {residuals, xray, newton}) {
+    SCOPED_TRACE(file);
+    expect_replayed(file, session_of(file));
+  }
+  const auto written = [&](const std::filesystem::path& file, const std::string& ending) {
+    return read_all(folder_ / (session_of(file) + ending));
+  };
+  EXPECT_NE(written(residuals, ".toml").find("key = \"exhibit.0.values\""), std::string::npos);
+  EXPECT_NE(written(residuals, ".csv").find("\n0,collocation-own.c11,"), std::string::npos) << "the point is dragged";
+  EXPECT_NE(written(xray, ".csv").find("\n0,J,-"), std::string::npos) << "the triangle is turned over";
+  EXPECT_NE(written(newton, ".toml").find("key = \"exhibit.0.nodes\""), std::string::npos);
 }
 
 }  // namespace
