@@ -75,8 +75,8 @@ StepReport step_with(double k, double too_stiff, double noise) {
   return ImplicitStepper(built->model, *built->scheme, 1).step(state);
 }
 
-// An energy whose round-off is thousands of times what it is taken for hides the fall of the last iterations; their slopes
-// do not.
+// An energy whose round-off is thousands of times what it is taken for hides the fall of the last iterations; their
+// slopes do not.
 TEST(Newton, SlopesTellWhereRoundOffHidesTheFall) {
   const StepReport quiet = step_with(1e5, 1, 0), noisy = step_with(1e5, 1, 1e-5);
   EXPECT_TRUE(quiet.converged);
