@@ -9,6 +9,7 @@
 #include "sim/math/svd.h"
 #include "sim/mesh/geometry.h"
 #include "sim/mesh/input_error.h"
+#include "sim/mesh/locate.h"
 #include "sim/mesh/region.h"
 
 namespace sim {
