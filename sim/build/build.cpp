@@ -221,16 +221,9 @@ void form_pattern(Parts& parts) {
   if (parts.scheme->is_explicit()) return;
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
-  // Bodies in touch couple nodes outside of the pattern: these two do not look there.
-  if (!model.contacts.empty() &&
-      (model.solver.linear == LinearSolverKind::two_level || model.solver.linear == LinearSolverKind::pcg_assembled))
-    throw InputError("solver.linear", "\"" + std::string(name_of(model.solver.linear)) +
-                                          "\" does not solve scenes with a [[contact]]: take cholmod or pcg");
-  if (!model.contacts.empty() && by_itself) model.solver.linear = LinearSolverKind::cholmod;
   model.solver.linear = settled_solver(model.solver.linear, model.dofs());
   if (by_itself)
-    parts.remarks.push_back(!model.contacts.empty() ? "solver: CHOLMOD, as bodies may touch"
-                            : model.solver.linear == LinearSolverKind::two_level
+    parts.remarks.push_back(model.solver.linear == LinearSolverKind::two_level
                                 ? "solver: conjugate gradients on two levels, for this size"
                                 : "solver: conjugate gradients on two levels; CHOLMOD from where they take too long");
   if (!forms_matrix(model.solver.linear)) return;
