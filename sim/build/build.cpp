@@ -182,19 +182,11 @@ void form_pattern(Parts& parts) {
   if (parts.scheme->is_explicit()) return;
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
-  // Bodies in touch couple nodes outside of the pattern: these two do not look there.
-  const bool pure = model.solver.newton == NewtonKind::pure;
-  if (!model.contacts.empty() && pure)
+  if (!model.contacts.empty() && model.solver.newton == NewtonKind::pure)
     throw InputError("solver.newton", "\"pure\" is not for scenes with a [[contact]], whose steps must be cut");
-  if (!model.contacts.empty() &&
-      (model.solver.linear == LinearSolverKind::two_level || model.solver.linear == LinearSolverKind::pcg_assembled))
-    throw InputError("solver.linear", "\"" + std::string(name_of(model.solver.linear)) +
-                                          "\" does not solve scenes with a [[contact]]: take cholmod or pcg");
-  if (!model.contacts.empty() && by_itself) model.solver.linear = LinearSolverKind::cholmod;
   model.solver.linear = settled_solver(model.solver.linear, model.dofs());
   if (by_itself && model.node_count > 0)
-    parts.remarks.push_back(!model.contacts.empty() ? "solver: CHOLMOD, as bodies may touch"
-                            : model.solver.linear == LinearSolverKind::two_level
+    parts.remarks.push_back(model.solver.linear == LinearSolverKind::two_level
                                 ? "solver: conjugate gradients on two levels, for this size"
                                 : "solver: conjugate gradients on two levels; CHOLMOD from where they take too long");
   if (!forms_matrix(model.solver)) return;

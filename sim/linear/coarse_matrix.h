@@ -25,6 +25,7 @@ class CoarseMatrix {
   double factor_operations() const { return cholesky_.factor_operations(); }
 
  private:
+  bool analyse(const FloatMatrix<D>& A);
   void make_row(int a, const FloatMatrix<D>& A, const RigidModes<D>& modes);
 
   const Aggregates& aggregates_;
@@ -32,7 +33,9 @@ class CoarseMatrix {
   BlockPattern pattern_;
   BlockMatrix C_;
   Cholesky cholesky_;
-  bool analysed_ = false;
+  std::vector<NodePair> met_;       // aggregates that blocks outside of A's pattern couple
+  std::vector<NodePair> analysed_;  // those that the factor knows of
+  bool is_analysed_ = false;
 };
 
 }  // namespace sim

@@ -54,6 +54,31 @@ void FloatMatrix<D>::take(const BlockMatrix& A, int threads) {
   scale_ = first > 0 && std::isfinite(first) ? std::exp2(-std::ilogb(first)) : 1;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (int i = 0; i < rows(); ++i) take_row(i, A);
+  take_outside(A);
+}
+
+template <int D>
+void FloatMatrix<D>::take_outside(const BlockMatrix& A) {
+  using Square = Eigen::Matrix<double, D, D, Eigen::RowMajor>;
+  outside_.clear();
+  const auto free_of = [&](int i) { return free_.segment<D>(static_cast<Eigen::Index>(i) * D); };
+  for (std::size_t k = 0; k < A.outside().size(); ++k) {
+    const int i = number_[A.outside()[k].i], j = number_[A.outside()[k].j];
+    const Eigen::Map<const Square> there(A.outside_values().data() + k * D * D);
+    const Eigen::Matrix<double, D, D> block = scale_ * (free_of(i).asDiagonal() * there * free_of(j).asDiagonal());
+    outside_.push_back({i, j, block});
+    outside_.push_back({j, i, block.transpose()});
+  }
+  std::sort(outside_.begin(), outside_.end(), [](const Outside& a, const Outside& b) {
+    return a.row < b.row || (a.row == b.row && a.column < b.column);
+  });
+}
+
+template <int D>
+std::size_t FloatMatrix<D>::first_outside(int row) const {
+  const auto at = std::lower_bound(outside_.begin(), outside_.end(), row,
+                                   [](const Outside& block, int value) { return block.row < value; });
+  return static_cast<std::size_t>(at - outside_.begin());
 }
 
 namespace {
@@ -197,6 +222,19 @@ double FloatMatrix<D>::multiply(int first, int last, const double* p, double* y)
       row.add(values_.data() + static_cast<std::size_t>(k) * D * D, p + static_cast<std::size_t>(column_[k]) * D);
     const std::size_t at = static_cast<std::size_t>(i) * D;
     pAp += row.finish(p + at, y + at);
+  }
+  return outside_.empty() ? pAp : pAp + multiply_outside(first, last, p, y);
+}
+
+template <int D>
+double FloatMatrix<D>::multiply_outside(int first, int last, const double* p, double* y) const {
+  using Node = Eigen::Matrix<double, D, 1>;
+  double pAp = 0;
+  for (std::size_t k = first_outside(first); k < outside_.size() && outside_[k].row < last; ++k) {
+    const std::size_t at = static_cast<std::size_t>(outside_[k].row) * D;
+    const Node part = outside_[k].block * Eigen::Map<const Node>(p + static_cast<std::size_t>(outside_[k].column) * D);
+    Eigen::Map<Node>(y + at) += part;
+    pAp += Eigen::Map<const Node>(p + at).dot(part);
   }
   return pAp;
 }

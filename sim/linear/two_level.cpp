@@ -44,6 +44,7 @@ void TwoLevel<D>::restrict_to(const Eigen::VectorXd& free) {
 template <int D>
 void TwoLevel<D>::take(const BlockMatrix& A, int threads) {
   A_.take(A, threads);
+  coupled_.make(A_, free_);
 }
 
 template <int D>
@@ -72,13 +73,14 @@ void TwoLevel<D>::start(const Eigen::VectorXd& b, int a) {
   residual_sums(a);
 }
 
-// What the next direction needs to know of an aggregate's r: r . r, r . D^-1 r, Q' r.
+// What the next direction needs to know of an aggregate's r: r . r, r . D^-1 r but for rows in contact, Q' r.
 template <int D>
 void TwoLevel<D>::residual_sums(int a) {
   double rr = 0, rDr = 0;
   for (int k = aggregates_.start[a]; k < aggregates_.start[a + 1]; ++k) {
     const auto r = r_.segment<D>(static_cast<Eigen::Index>(k) * D);
     rr += r.squaredNorm();
+    if (coupled_.has(k)) continue;
     rDr += r.dot(A_.inverse(k).template cast<double>() * r);
   }
   sums_[a].rr = rr;
@@ -106,8 +108,11 @@ void TwoLevel<D>::direct(int a, double beta) {
   if (coarse_ready_) z = modes_.amplitudes(a, coarse_y_.data() + static_cast<Eigen::Index>(a) * modes);
   for (int k = aggregates_.start[a]; k < aggregates_.start[a + 1]; ++k) {
     const Eigen::Index at = static_cast<Eigen::Index>(k) * D;
-    p_.segment<D>(at) = A_.inverse(k).template cast<double>() * r_.segment<D>(at) +
-                        free_.segment<D>(at).cwiseProduct(modes_.at(k, z)) + beta * p_.segment<D>(at);
+    p_.segment<D>(at) = free_.segment<D>(at).cwiseProduct(modes_.at(k, z)) + beta * p_.segment<D>(at);
+    if (coupled_.has(k))
+      p_.segment<D>(at) += coupled_.z(k);
+    else
+      p_.segment<D>(at) += A_.inverse(k).template cast<double>() * r_.segment<D>(at);
   }
 }
 
@@ -147,7 +152,7 @@ PcgResult TwoLevel<D>::solve(const Eigen::VectorXd& b, double tolerance, int mos
         result.converged = rr <= goal;
         done = result.converged || result.iterations == most || !std::isfinite(rr);
         if (!done) {
-          const double rz_new = sum(&Sums::rDr) + coarse_solve();
+          const double rz_new = sum(&Sums::rDr) + coupled_.solve(r_) + coarse_solve();
           beta = first ? 0 : rz_new / rz;
           rz = rz_new;
           first = false;

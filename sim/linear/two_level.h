@@ -2,10 +2,10 @@
 //
 //   z = D^-1 r + Q C^-1 Q' r,   D: diagonal blocks of A,  Q: rigid motions of aggregates of nodes,  C = Q' A Q
 //
-// D^-1 takes care of what differs from node to node, the coarse level of what is smooth over an aggregate, so that the
-// number of iterations hardly grows with the mesh. [Nicolaides 1987; Vanek, Mandel, Brezina 1996, without smoothing]
-// Vectors are in double precision and in the order of the aggregates; sums are taken aggregate by aggregate, so that no
-// bit depends on the number of threads.
+// All nodes in contact are one block of D. D^-1 takes care of what differs from node to node, the coarse level of what
+// is smooth over an aggregate, so that the number of iterations hardly grows with the mesh. [Nicolaides 1987; Vanek,
+// Mandel, Brezina 1996, without smoothing] Vectors are in double precision and in the order of the aggregates; sums are
+// taken aggregate by aggregate, so that no bit depends on the number of threads.
 #pragma once
 
 #include <memory>
@@ -14,6 +14,7 @@
 #include "sim/linear/aggregates.h"
 #include "sim/linear/block_system.h"
 #include "sim/linear/coarse_matrix.h"
+#include "sim/linear/coupled_rows.h"
 
 namespace sim {
 
@@ -45,6 +46,7 @@ class TwoLevel final : public BlockSystem {
   FloatMatrix<D> A_;
   RigidModes<D> modes_;
   CoarseMatrix<D> C_;
+  CoupledRows<D> coupled_;
   bool coarse_ready_ = false;
   Eigen::VectorXd free_;  // in the order of the aggregates, as are the next four
   Eigen::VectorXd x_, r_, p_, Ap_;

@@ -5,10 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "sim/contact/barrier.h"
-#include "sim/contact/mollifier.h"
-#include "sim/contact/pair_tangent.h"
-#include "sim/contact/smooth_friction.h"
+#include "sim/contact/stick.h"
 
 namespace sim {
 
@@ -16,64 +13,7 @@ namespace {
 
 constexpr double margin = 1e-3;  // of the reach: round-off of a way, and small moves without a new search
 
-int points_in(const Touch& touch) {
-  return touch.e > 0 ? 4 : node_count(touch.feature);
-}
-
-// Positions of the points of a touch.
-struct TouchPlaces {
-  Vec3 x[4], near[4];
-  TouchPlaces(const Touch& touch, const Eigen::Matrix3Xd& positions) {
-    for (int i = 0; i < points_in(touch); ++i) x[i] = positions.col(touch.point[i]);
-    for (int i = 0; i < node_count(touch.feature); ++i) near[i] = x[touch.near[i]];
-  }
-};
-
-// Numbers of the nearest points' own order, put where the touch has these points.
-PairVector spread(const Touch& touch, const PairVector& g) {
-  if (touch.e == 0) return g;
-  PairVector all = PairVector::Zero();
-  for (int i = 0; i < node_count(touch.feature); ++i) all.segment<3>(3 * touch.near[i]) = g.segment<3>(3 * i);
-  return all;
-}
-PairMatrix spread(const Touch& touch, const PairMatrix& H) {
-  PairMatrix all = PairMatrix::Zero();
-  for (int i = 0; i < node_count(touch.feature); ++i)
-    for (int j = 0; j < node_count(touch.feature); ++j)
-      all.block<3, 3>(3 * touch.near[i], 3 * touch.near[j]) = H.block<3, 3>(3 * i, 3 * j);
-  return all;
-}
-
-// d(M b)/dx
-PairVector touch_gradient(const Touch& touch, const TouchPlaces& at, const Distance& distance, const Barrier& b) {
-  const PairVector g = spread(touch, distance.gradient());
-  if (touch.e == 0) return b.first * g;
-  const MollifierTangent M(at.x, touch.e);
-  return b.b * M.gradient + M.M * b.first * g;
-}
-
-// d2(M b)/dx2
-PairMatrix touch_tangent(const Touch& touch, const TouchPlaces& at, const Distance& distance, const Barrier& b,
-                         Definiteness fix) {
-  if (touch.e == 0) return pair_tangent(distance, b.first, b.second, fix);
-  const MollifierTangent M(at.x, touch.e);
-  const PairVector g = spread(touch, distance.gradient());
-  const PairMatrix cross = b.first * M.gradient * g.transpose();
-  const PairMatrix H = b.b * M.hessian + cross + cross.transpose() +
-                       M.M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none));
-  return fix == Definiteness::none ? H : without_negative_part(H);
-}
-
 }  // namespace
-
-// Friction of a pair: frozen when the step began.
-struct ContactTerm::Stick {
-  std::array<int, 4> point;
-  int count;
-  double c[4];
-  Vec3 n;
-  double strength;  // mu lambda, N
-};
 
 struct ContactTerm::Contacts : Store {
   // Where the candidates hold: as long as every point is in its box.
@@ -159,18 +99,8 @@ void ContactTerm::begin_step(const Motion& start, Store& store) const {
   s.sticks.clear();
   if (in_.friction == 0 || !find_touches(start, s)) return;
   for (const Touch& touch : s.touches) {
-    const Couple& couple = in_.couples[touch.couple];
-    const TouchPlaces at(touch, s.x);
-    const Distance distance(touch.feature, at.near);
-    const double M = touch.e > 0 ? mollifier(at.x, touch.e) : 1;
-    const double lambda = -touch.weight * M * Barrier(distance.d - couple.xi, couple.dh).first;
-    if (!(lambda > 0)) continue;
-    Stick stick{{}, distance.nodes, {}, distance.n, in_.friction * lambda};
-    for (int i = 0; i < distance.nodes; ++i) {
-      stick.point[i] = touch.point[touch.near[i]];
-      stick.c[i] = distance.c[i];
-    }
-    s.sticks.push_back(stick);
+    const TouchPotential at(touch, in_.couples[touch.couple], s.x);
+    if (at.push() > 0) s.sticks.emplace_back(at, in_.friction);
   }
 }
 
@@ -186,11 +116,7 @@ double ContactTerm::energy(const Motion& motion, Store& store) const {
   auto& s = static_cast<Contacts&>(store);
   if (!find_touches(motion, s)) return std::numeric_limits<double>::infinity();
   double U = 0;
-  for (const Touch& touch : s.touches) {
-    const Couple& couple = in_.couples[touch.couple];
-    const double M = touch.e > 0 ? mollifier(TouchPlaces(touch, s.x).x, touch.e) : 1;
-    U += touch.weight * M * Barrier(touch.d - couple.xi, couple.dh).b;
-  }
+  for (const Touch& touch : s.touches) U += touch_energy(touch, in_.couples[touch.couple], s.x);
   if (motion.dv_dx != 0)
     for (const Stick& stick : s.sticks)
       U += stick.strength * SmoothFriction(slip(stick, motion.v).norm(), in_.eps).f0 / motion.dv_dx;
@@ -207,19 +133,11 @@ void ContactTerm::scatter(const std::array<int, 4>& points, int count, const Pai
 void ContactTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const {
   auto& s = static_cast<Contacts&>(store);
   find_touches(motion, s);
-  for (const Touch& touch : s.touches) {
-    const Couple& couple = in_.couples[touch.couple];
-    const TouchPlaces at(touch, s.x);
-    const Distance distance(touch.feature, at.near);
-    const Barrier b(distance.d - couple.xi, couple.dh);
-    scatter(touch.point, points_in(touch), -touch.weight * touch_gradient(touch, at, distance, b), f);
-  }
-  for (const Stick& stick : s.sticks) {
-    const Vec3 force = -stick.strength * slip_gradient(slip(stick, motion.v), in_.eps);
-    PairVector all = PairVector::Zero();
-    for (int i = 0; i < stick.count; ++i) all.segment<3>(3 * i) = stick.c[i] * force;
-    scatter(stick.point, stick.count, all, f);
-  }
+  for (const Touch& touch : s.touches)
+    scatter(touch.point, points_in(touch), -TouchPotential(touch, in_.couples[touch.couple], s.x).gradient(), f);
+  for (const Stick& stick : s.sticks)
+    scatter(stick.point, stick.count,
+            spread(stick, Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))), f);
 }
 
 void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const {
@@ -229,27 +147,18 @@ void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store
 #pragma omp parallel for schedule(static) num_threads(s.threads)
   for (std::size_t k = 0; k < s.touches.size(); ++k) {
     const Touch& touch = s.touches[k];
-    const Couple& couple = in_.couples[touch.couple];
-    const TouchPlaces at(touch, s.x);
-    const Distance distance(touch.feature, at.near);
-    const Barrier b(distance.d - couple.xi, couple.dh);
-    Contacts::Block& block = s.blocks[k];
-    block.point = touch.point;
-    block.count = points_in(touch);
+    s.blocks[k].point = touch.point;
+    s.blocks[k].count = points_in(touch);
     // A count below 0, in a hollow, pulls: a negative part, kept only in the exact tangent.
     if (touch.weight < 0 && fix != Definiteness::none)
-      block.K.setZero();
+      s.blocks[k].K.setZero();
     else
-      block.K = touch.weight * touch_tangent(touch, at, distance, b, fix);
+      s.blocks[k].K = TouchPotential(touch, in_.couples[touch.couple], s.x).tangent(fix);
   }
   for (std::size_t k = 0; k < s.sticks.size(); ++k) {
     const Stick& stick = s.sticks[k];
     const Eigen::Matrix3d K = stick.strength * motion.dv_dx * slip_tangent(slip(stick, motion.v), stick.n, in_.eps);
-    Contacts::Block& block = s.blocks[s.touches.size() + k];
-    block.point = stick.point;
-    block.count = stick.count;
-    for (int i = 0; i < stick.count; ++i)
-      for (int j = 0; j < stick.count; ++j) block.K.block<3, 3>(3 * i, 3 * j) = stick.c[i] * stick.c[j] * K;
+    s.blocks[s.touches.size() + k] = {stick.point, stick.count, spread(stick, K)};
   }
 }
 
@@ -308,13 +217,10 @@ std::vector<ContactReport> ContactTerm::reports(const Eigen::VectorXd& x) const 
     ++report.pairs;
     report.gap = std::min(report.gap, touch.d - couple.xi);
     if (couple.a == couple.b) continue;
-    const TouchPlaces at(touch, s.x);
-    const Distance distance(touch.feature, at.near);
-    const PairVector g = touch_gradient(touch, at, distance, Barrier(distance.d - couple.xi, couple.dh));
+    const PairVector g = TouchPotential(touch, couple, s.x).gradient();
     const Span& first = in_.skin.parts[couple.a].points;
     for (int i = 0; i < points_in(touch); ++i)
-      if (touch.point[i] >= first.first && touch.point[i] < first.last)
-        report.force -= touch.weight * g.segment<3>(3 * i);
+      if (touch.point[i] >= first.first && touch.point[i] < first.last) report.force -= g.segment<3>(3 * i);
   }
   return all;
 }

@@ -11,6 +11,7 @@
 
 #include "sim/contact/contact_report.h"
 #include "sim/contact/crossing.h"
+#include "sim/contact/stick.h"
 #include "sim/contact/touch.h"
 #include "sim/term/term.h"
 
@@ -52,7 +53,6 @@ class ContactTerm final : public Term {
 
  private:
   struct Contacts;
-  struct Stick;  // of friction
   void place(const Eigen::VectorXd& x, Contacts& s) const;
   void cover(Contacts& s) const;
   bool find_touches(const Motion& motion, Contacts& s) const;

@@ -253,7 +253,7 @@ TEST(Contact, SameBitsForAnyThreads) {
 
 // From a state that was saved, bodies being in contact, the run goes on with the same bits.
 TEST(Contact, ResumesToTheSameBits) {
-  for (const LinearSolverKind linear : {LinearSolverKind::cholmod, LinearSolverKind::pcg}) {
+  for (const auto& [linear, name] : choices<LinearSolverKind>) {
     Scene scene = test::two_boxes(2, 0.005);
     scene.solver.linear = linear;
     scene.contacts[0].friction = 0.3;
@@ -264,8 +264,44 @@ TEST(Contact, ResumesToTheSameBits) {
     test::Stepped resumed(scene);
     resumed.state = saved;
     resumed.steps(6);
-    EXPECT_EQ(hash(through.state), hash(resumed.state));
+    EXPECT_EQ(hash(through.state), hash(resumed.state)) << name;
   }
+}
+
+// Whatever solves the linear systems, which see pairs that no element couples.
+TEST(Contact, SolversAgree) {
+  Scene scene = test::two_boxes(2, 0.005);
+  scene.solver.tolerance = 1e-8;
+  Eigen::VectorXd first;
+  for (const auto& [linear, name] : choices<LinearSolverKind>) {
+    scene.solver.linear = linear;
+    test::Stepped run(scene);
+    run.steps(6);
+    EXPECT_GT(run.system.contacts(run.state)[0].pairs, 0);
+    if (first.size() == 0) first = run.state.x;
+    EXPECT_LT((run.state.x - first).cwiseAbs().maxCoeff(), 1e-7) << name;
+  }
+}
+
+// A solve takes hardly more iterations where bodies touch than where they do not.
+TEST(Contact, TouchingCostsFewIterationsOfTheLinearSolver) {
+  Scene scene = test::two_boxes(4, 0.005);
+  scene.solver.linear = LinearSolverKind::two_level;
+  double iterations[2];
+  for (const bool touching : {false, true}) {
+    if (!touching) translate(scene.bodies[1].mesh, {0, 20, 0});
+    test::Stepped run(scene);
+    int linear = 0, newton = 0;
+    for (int k = 0; k < 8; ++k) {
+      run.steps(1);
+      linear += run.last.linear;
+      newton += run.last.newton;
+    }
+    EXPECT_EQ(run.system.contacts(run.state)[0].pairs > 0, touching);
+    iterations[touching] = static_cast<double>(linear) / newton;
+    if (!touching) translate(scene.bodies[1].mesh, {0, -20, 0});
+  }
+  EXPECT_LT(iterations[1], 2 * iterations[0]);
 }
 
 std::string error_of(const Scene& scene) {

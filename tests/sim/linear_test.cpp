@@ -119,6 +119,54 @@ TEST(FloatMatrix, IsTheMatrixToItsRoundOff) {
   });
 }
 
+// Pairs that no element couples, as contact has them; here a stiff spring between far nodes.
+void add_springs(Bent& body) {
+  const int D = body.model.D, last = body.model.node_count - 1;
+  const std::vector<double> values = body.A.values();
+  std::vector<NodePair> pairs = {{0, last}, {2, last}, {0, last - 1}};
+  body.A.set_zero(pairs);
+  body.A.values() = values;
+  const double stiffness = 100 * values[0];
+  for (const NodePair& pair : body.A.outside())
+    for (int c = 0; c < D; ++c) {
+      body.A.find(pair.i, pair.j)[c * D + c] -= stiffness;
+      for (const int node : {pair.i, pair.j}) body.A.find(node, node)[c * D + c] += stiffness;
+    }
+}
+
+TEST(FloatMatrix, HasBlocksOutsideOfThePattern) {
+  Bent body({"tet4", false}, 3, 1e3, 12, true);
+  add_springs(body);
+  ASSERT_EQ(body.A.outside().size(), 3u);
+  const Eigen::MatrixXd A = body.dense(), F = dense(float_matrix<3>(body));
+  EXPECT_LE((F - A).cwiseAbs().maxCoeff(), 1.3e-7 * A.cwiseAbs().maxCoeff());
+}
+
+TEST(TwoLevel, SolvesWithBlocksOutsideOfThePattern) {
+  for (const bool coarse : {false, true}) {
+    Bent body({"tet4", false}, 5, 1, 24, true);
+    const std::unique_ptr<BlockSystem> system =
+        make_block_system(*body.model.pattern, body.model.X, 3, body.first_node);
+    system->restrict_to(body.free);
+    Eigen::VectorXd x(body.x.size());
+    const Eigen::VectorXd b = body.free.cwiseProduct(random_vector(x.size(), 1, 4));
+    int iterations[2];
+    for (const bool springs : {false, true}) {
+      if (springs) add_springs(body);
+      system->take(body.A, 1);
+      if (coarse) {
+        ASSERT_TRUE(system->make_coarse(body.x, 1));
+      }
+      const PcgResult result = system->solve(b, 1e-6, 1000, 1, x);
+      EXPECT_TRUE(result.converged);
+      iterations[springs] = result.iterations;
+      EXPECT_LE((body.dense() * body.ordered(x) - body.ordered(b)).norm(), 1e-5 * b.norm());
+    }
+    // Nodes that the springs hold together are one block of the preconditioner.
+    EXPECT_LE(iterations[1], 1.2 * iterations[0] + 3);
+  }
+}
+
 // Rounding alone would leave 6e-8 of |A| in the sums of the rows, which stand for the mass and for what holds the body.
 TEST(FloatMatrix, SumsOfRowsAreExact) {
   for (const test::Kind& kind : {test::Kind{"tet4", false}, test::Kind{"tri3", false}}) {
