@@ -122,7 +122,8 @@ void check_start(const Model& model) {
                      (least.inverted == 0 ? "deforms elements so far (" + where
                                           : "inverts " + std::to_string(least.inverted) + " elements (" + where) +
                          "), where the energy of " + what.substr(0, what.find(',')) +
-                         " is infinite: start elsewhere, or take fixed-corotated");
+                         " is infinite: start elsewhere, or take " +
+                         (what.starts_with("stable") ? "" : "stable-neo-hookean or ") + "fixed-corotated");
   }
 }
 
