@@ -112,6 +112,7 @@ class FiveVectors : public Exhibit {
       choice.errors = rs::measure(large_.chain, large_.x, large_.U * choice.c);
       choices_.push_back(std::move(choice));
     }
+    if (!input.spec.values.empty()) only_ = 0;
     if (input.spec.method.empty()) return;
     const auto found = std::ranges::find(ways, input.spec.method, &Way::name);
     if (found == std::end(ways))
@@ -155,11 +156,17 @@ class FiveVectors : public Exhibit {
   };
 
   double paces(const sim::State& state) const { return std::max(0.0, system_.time(state.step) / pace_ + 1e-9); }
+  // One way after the other; the last one stays.
   std::size_t turn(const sim::State& state) const {
-    return only_ >= 0 ? static_cast<std::size_t>(only_)
-                      : static_cast<std::size_t>(std::floor(paces(state))) % std::size(ways);
+    if (only_ >= 0) return static_cast<std::size_t>(only_);
+    return std::min(static_cast<std::size_t>(std::floor(paces(state))), std::size(ways) - 1);
   }
-  double phase(const sim::State& state) const { return paces(state) - std::floor(paces(state)); }
+  // From 0 to 1 while a way is shown; at the end all is seen of it.
+  double phase(const sim::State& state) const {
+    const double now = paces(state);
+    const bool ended = only_ < 0 && now >= static_cast<double>(std::size(ways));
+    return ended ? 1 : now - std::floor(now);
+  }
   static double place(int row) { return (row + 1.0) / (masses + 1.0); }
 
   // The least of a norm; what only differs by round-off is the least too.

@@ -168,11 +168,12 @@ class WeightedResiduals : public Exhibit {
     return entry;
   }
 
-  // Every n for one method, then for the next; the points that are given alone.
+  // Every n for one method, then for the next, and the last stays; the points that are given alone.
   Turn turn(const sim::State& state) const {
     const double paces = std::max(0.0, system_.time(state.step) / pace_ + 1e-9);
-    const auto whole = static_cast<std::size_t>(std::floor(paces));
-    Turn now{whole % levels_.size(), whole / levels_.size() % levels_[0].size(), 0};
+    const std::size_t levels = levels_.size(), turns = levels * (only_ >= 0 ? 1 : levels_[0].size());
+    const std::size_t whole = std::min(static_cast<std::size_t>(std::floor(paces)), turns - 1);
+    Turn now{whole % levels, whole / levels, 0};
     if (only_ >= 0) now.method = static_cast<std::size_t>(only_);
     if (!values_.empty()) now.method = 0;
     now.term = static_cast<Eigen::Index>((paces - std::floor(paces)) * file_.n[now.level]);

@@ -273,6 +273,15 @@ TEST(LecturePages, PureNewtonWandersToItsEnd) {
   EXPECT_LT((state.x - path.points.back()).norm(), 1e-9);
 }
 
+TEST(LecturePages, StayAtTheLastMethod) {
+  const Changes fast = {{"exhibit.0.pace", "0.0333333"}};
+  const render::Sheet vectors = sheets(deck_folder / "04-five-vectors.toml", 7, fast).back();
+  EXPECT_EQ(text_of(vectors, "projection.c11"), "0.6150");
+  const render::Sheet residuals = sheets(deck_folder / "05-weighted-residuals.toml", 18, fast).back();
+  EXPECT_EQ(residuals.proof.text, "0.008730");
+  EXPECT_EQ(text_of(residuals, "ritz.c11"), "-4.6649");
+}
+
 // A page of numbers alone is a scene: explained, run and recorded as any other.
 TEST(LecturePages, NeedNoBody) {
   const TemporaryFolder folder;
