@@ -221,6 +221,20 @@ void Bodies::draw_solid(const Surface& surface, const SurfaceBuffer& buffer, boo
   gl_.Disable(GL_CULL_FACE);
 }
 
+void Bodies::draw_hidden(const Surface& surface, const SurfaceBuffer& buffer) const {
+  use_surface(programs_for(surface).flat, surface, 0.6F);
+  gl_.DepthFunc(GL_GREATER);
+  gl_.DepthMask(GL_FALSE);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.CullFace(GL_BACK);
+  begin_blending(gl_);
+  buffer.draw_triangles();
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.DepthMask(GL_TRUE);
+  gl_.DepthFunc(GL_LESS);
+}
+
 void Bodies::draw_flat(const Surface& surface, const SurfaceBuffer& buffer) const {
   use_surface(programs_for(surface).flat, surface, 1);
   buffer.draw_triangles();

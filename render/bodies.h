@@ -19,6 +19,8 @@ class Bodies {
   // All draw into the canvas's region.
   // inside_shows: draw the inside of closed surfaces too (it is seen where a body is inverted).
   void draw_solid(const Surface& surface, const SurfaceBuffer& buffer, bool inside_shows) const;
+  // What of a surface is behind others: seen through them, weakly.
+  void draw_hidden(const Surface& surface, const SurfaceBuffer& buffer) const;
   void draw_flat(const Surface& surface, const SurfaceBuffer& buffer) const;
   void draw_ghost(const Surface& surface, const SurfaceBuffer& buffer) const;
   // Lines of a width in pixels, as far as the context can, just in front of the surface they lie on.

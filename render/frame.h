@@ -124,6 +124,7 @@ struct Look {
 
 struct Frame {
   Camera camera;
+  std::array<double, 3> origin{0, 0, 0};  // m: what is 0 here, in the scene; numbers at axes are the scene's
   std::vector<Surface> surfaces;
   std::vector<Surface> ghosts;       // translucent, without shadow: rest shapes
   std::optional<ColourScale> scale;  // needed when a surface carries values

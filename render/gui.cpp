@@ -1,6 +1,7 @@
 #include "render/gui.h"
 
 #include "render/imgui_setup.h"
+#include "render/letters.h"
 #include "render/page.h"
 #include "render/strip.h"
 
@@ -37,7 +38,8 @@ void Gui::set_text(float text) {
   set_style(text);
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
-  load_font(fonts, "DejaVuSans.ttf", text);
+  Letters letters;
+  load_font(fonts, "DejaVuSans.ttf", text, letters.ranges());
   painter_.reset();
   painter_.emplace(gl_, fonts);
 }

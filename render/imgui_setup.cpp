@@ -1,9 +1,13 @@
 #include "render/imgui_setup.h"
 
-#include <array>
 #include <filesystem>
 
 namespace render {
+namespace {
+
+constexpr const char* dejavu = "/usr/share/fonts/truetype/dejavu";
+
+}  // namespace
 
 ImGuiContext* make_imgui() {
   ImGuiContext* const before = ImGui::GetCurrentContext();
@@ -17,18 +21,19 @@ ImGuiContext* make_imgui() {
   return imgui;
 }
 
-ImFont* load_font(ImFontAtlas& atlas, const char* file, float size) {
-  // Latin, Greek, dashes and quotes, super- and subscripts, arrows, what formulas are written with.
-  static constexpr std::array<ImWchar, 27> glyphs = {
-      0x20,   0xff,   0x2b0,  0x2b8,  0x370,  0x3ff,  0x1d2c, 0x1d6a, 0x1e8a, 0x1e8d, 0x2010, 0x203a, 0x2070, 0x209c,
-      0x2190, 0x2193, 0x21d2, 0x21d4, 0x2200, 0x222b, 0x2248, 0x2248, 0x2260, 0x2265, 0x2c7c, 0x2c7c, 0};
-  const std::filesystem::path path = std::filesystem::path("/usr/share/fonts/truetype/dejavu") / file;
+bool has_dejavu() {
+  std::error_code none;
+  return std::filesystem::exists(std::filesystem::path(dejavu) / "DejaVuSans.ttf", none);
+}
+
+ImFont* load_font(ImFontAtlas& atlas, const char* file, float size, const ImWchar* letters) {
+  const std::filesystem::path path = std::filesystem::path(dejavu) / file;
   ImFontConfig config;
   config.OversampleH = 2;
   config.PixelSnapH = true;
   std::error_code none;
   if (std::filesystem::exists(path, none)) {
-    ImFont* font = atlas.AddFontFromFileTTF(path.c_str(), size, &config, glyphs.data());
+    ImFont* font = atlas.AddFontFromFileTTF(path.c_str(), size, &config, letters);
     if (font != nullptr) return font;
   }
   config.SizePixels = size;

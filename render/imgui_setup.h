@@ -20,7 +20,11 @@ class InUse {
 // A new context that leaves no files behind; the one in use stays in use.
 ImGuiContext* make_imgui();
 
-// A file of DejaVu ("DejaVuSans.ttf") where Debian's fonts-dejavu-core puts it, else the font built into Dear ImGui.
-ImFont* load_font(ImFontAtlas& atlas, const char* file, float size);
+// Whether the font is where Debian's fonts-dejavu-core puts it.
+bool has_dejavu();
+
+// A file of DejaVu ("DejaVuSans.ttf") with these letters, else the font built into Dear ImGui. The list of letters must
+// live until the atlas is built.
+ImFont* load_font(ImFontAtlas& atlas, const char* file, float size, const ImWchar* letters);
 
 }  // namespace render

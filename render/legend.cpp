@@ -8,7 +8,7 @@
 
 namespace render {
 
-void draw_legend(const Page& page, const ColourScale& scale, float bottom) {
+ImVec2 draw_legend(const Page& page, const ColourScale& scale, float bottom) {
   const float bar_width = std::round(0.9F * page.size);
   const std::string heading = scale.unit.empty() ? scale.label : scale.label + " [" + scale.unit + "]";
   const float wrap = 0.24F * page.width;
@@ -26,8 +26,8 @@ void draw_legend(const Page& page, const ColourScale& scale, float bottom) {
   const float left = std::round(right - width);
   const float lowest = bottom - bar_height - 0.8F * page.size;
   const float top = std::round(std::min((page.height - bar_height) / 2 + 0.8F * page.size, lowest));
-  page.lay_plate({left - pad, top - heading_size.y - 0.75F * page.size},
-                 {right + pad, top + bar_height + 0.8F * page.size});
+  const ImVec2 corner{left - pad, top - heading_size.y - 0.75F * page.size};
+  page.lay_plate(corner, {right + pad, top + bar_height + 0.8F * page.size});
   page.write(left, top - heading_size.y - 0.55F * page.size, heading, Align::left, Page::ink, 1, wrap);
 
   const std::vector<std::uint8_t> colours = colour_table(scale.map, static_cast<int>(bar_height));
@@ -43,6 +43,7 @@ void draw_legend(const Page& page, const ColourScale& scale, float bottom) {
     page.list->AddRectFilled({left + bar_width, y}, {left + bar_width + 0.3F * page.size, y + 1}, Page::soft_ink);
     page.write(left + bar_width + 0.5F * page.size, y - 0.45F * page.size, labels[i], Align::left, Page::ink, 0.9F);
   }
+  return corner;
 }
 
 }  // namespace render

@@ -6,7 +6,8 @@
 
 namespace render {
 
-// Draws at the right edge, centred in height, but not below `bottom` (pixels from above).
-void draw_legend(const Page& page, const ColourScale& scale, float bottom);
+// Draws at the right edge, centred in height, but not below `bottom` (pixels from above). Returns its upper left
+// corner.
+ImVec2 draw_legend(const Page& page, const ColourScale& scale, float bottom);
 
 }  // namespace render

@@ -8,6 +8,7 @@
 
 #include "render/draw_data.h"
 #include "render/frame.h"
+#include "render/letters.h"
 #include "render/page.h"
 #include "render/view.h"
 
@@ -28,12 +29,17 @@ class Overlay {
  private:
   // For the usual look, or for the lecture's.
   void load_fonts(bool lecture);
+  // Fonts are baked anew where a frame brings letters that none before it had.
+  void learn_letters(const Frame& frame);
   void draw_sheet(const Frame& frame) const;
-  void draw_labels(const Frame& frame, const View& view) const;
-  void draw_words(const Frame& frame, const View& view, ImVec2 strips) const;
+  float title_end(const Frame& frame) const;
+  // `legend`: its upper left corner; `corner`: that of what stands at the lower right.
+  void draw_labels(const Frame& frame, const View& view, ImVec2 legend) const;
+  void draw_words(const Frame& frame, const View& view, ImVec2 corner, ImVec2 legend) const;
 
   const GladGLContext& gl_;
   ImGuiContext* imgui_;
+  Letters letters_;
   Page page_;
   bool lecture_ = false;       // what the fonts were loaded for
   ImFont* formula_ = nullptr;  // of the lecture

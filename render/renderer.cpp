@@ -74,7 +74,8 @@ struct Renderer::Parts {
   Overlay overlay;
   GlObject block;
   std::deque<SurfaceBuffer> buffers;  // solids, then ghosts; a deque, because lists hold pointers into it
-  std::vector<Surface> glyphs;        // obstacles and arrows of the frame
+  std::vector<Surface> glyphs;        // arrows and obstacles of the frame
+  std::size_t arrow_kinds = 0;        // how many of them, at the beginning, are arrows
   std::vector<const Surface*> solids;
   SurfaceList lit;           // buffers of the solids that are not flat
   Rect region;               // what solids, ghosts and markers cover
@@ -87,6 +88,7 @@ struct Renderer::Parts {
 // Brings every surface of the frame to the graphics side.
 void Renderer::Parts::update(const Frame& frame, const View& view) {
   glyphs = arrow_surfaces(frame.arrows, view.extent);
+  arrow_kinds = glyphs.size();
   for (const SphereObstacle& sphere : frame.spheres) glyphs.push_back(sphere_surface(sphere));
   solids.clear();
   for (const Surface& surface : frame.surfaces) solids.push_back(&surface);
@@ -180,6 +182,8 @@ void Renderer::Parts::draw_bodies(const Frame& frame, const View& view) {
       bodies.draw_solid(*solids[i], buffers[i], inside_shows);
     }
   }
+  const std::size_t first_arrow = frame.surfaces.size();
+  for (std::size_t i = first_arrow; i < first_arrow + arrow_kinds; ++i) bodies.draw_hidden(*solids[i], buffers[i]);
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (frame.look.wireframe) bodies.draw_edges(buffers[i], {0.07F, 0.08F, 0.11F, ink}, pixel);
   }

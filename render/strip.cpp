@@ -113,11 +113,15 @@ void draw_strip(const Page& page, const Strip& strip, ImVec2 low, ImVec2 high) {
   }
 }
 
+float strip_height(double text, double picture) {
+  return static_cast<float>(std::max(0.22 * picture, 6 * text));
+}
+
 ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips) {
   if (strips.empty()) return {page.width, page.height};
   float right = page.width - page.margin;
   const float width = std::min(20 * page.size, 0.5F * page.width);
-  const float bottom = page.height - page.margin, top = bottom - std::max(0.22F * page.height, 6 * page.size);
+  const float bottom = page.height - page.margin, top = bottom - strip_height(page.size, page.height);
   for (auto strip = strips.rbegin(); strip != strips.rend(); ++strip) {
     draw_strip(page, *strip, {right - width, top}, {right, bottom});
     right -= width + page.margin;

@@ -27,6 +27,15 @@ std::vector<double> ticks(double low, double high, int wanted) {
   return values;
 }
 
+double tick_offset(const std::vector<double>& values) {
+  constexpr double many = 1e4;  // steps between zero and the values
+  if (values.size() < 2) return 0;
+  const double step = values[1] - values[0], largest = std::max(std::abs(values.front()), std::abs(values.back()));
+  if (largest < many * step) return 0;
+  const double power = std::pow(10, std::ceil(std::log10(values.back() - values.front())));
+  return std::floor(values.front() / power) * power;
+}
+
 std::vector<std::string> tick_labels(const std::vector<double>& values) {
   double largest = 0, step = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));

@@ -13,6 +13,9 @@ double round_length(double length);
 // number when low = high. Both ends must be finite.
 std::vector<double> ticks(double low, double high, int wanted);
 
+// A round number to count them from, where they differ in their last digits only, as map coordinates do; else 0.
+double tick_offset(const std::vector<double>& values);
+
 // The numbers as short as they can be told apart: equal decimals, or an exponent where they are very large or small.
 std::vector<std::string> tick_labels(const std::vector<double>& values);
 

@@ -101,7 +101,7 @@ class ModeBook {
   void draw(const sim::State& state, const std::string& title, const std::string& name) {
     simulation_.document.title = title;
     simulation_.document.look.caption.clear();
-    const Picture picture(*simulation_.system, simulation_.document, double(options_.width) / options_.height);
+    const Picture picture(*simulation_.system, simulation_.document, options_.width, options_.height);
     const render::Image image = renderer_.draw(picture.frame({.state = state}));
     write_atomically(folder_ / name, as_text(render::encode_png(image)), false);
   }

@@ -8,14 +8,25 @@
 #include "app/run/run_loop.h"
 #include "app/run/run_start.h"
 #include "app/scene/deck.h"
+#include "render/letters.h"
 
 namespace app {
-
 namespace {
+
+// Told once, before the first frame.
+void note_letters(const Simulation& simulation, const Options& options) {
+  const Document& document = simulation.document;
+  std::string words = document.title + document.look.caption;
+  for (const sim::Body& body : document.scene.bodies) words += body.name;
+  const std::string lacking = render::letters_that_lack(words);
+  if (options.quiet || lacking.empty()) return;
+  std::cerr << "note: the font (DejaVu Sans) lacks " << lacking << ": drawn as question marks\n";
+}
 
 int record_page(const Options& options) {
   if (!options.replay.empty()) return replay(options);
   const auto simulation = std::make_shared<const Simulation>(build_simulation(options));
+  note_letters(*simulation, options);
   const RunFolder folder = open_run_folder(options);
   const RunStart start = make_start(*simulation, folder, !options.resume.empty());
   Recorder recorder(simulation, folder, options);

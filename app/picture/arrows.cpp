@@ -83,7 +83,8 @@ double total_force(const sim::System& system, const Document& document) {
 
 }  // namespace
 
-Arrows::Arrows(const sim::System& system, const Document& document) : system_(system), look_(document.look) {
+Arrows::Arrows(const sim::System& system, const Document& document, const Vec3& origin)
+    : system_(system), look_(document.look), origin_(origin) {
   if (!look_.forces && !look_.velocities) return;
   const double size = rest_box(system.bodies()).sizes().maxCoeff();
   for (const sim::BodyRange& body : system.bodies()) {
@@ -134,8 +135,8 @@ void Arrows::add_forces(const sim::State& state, const Eigen::VectorXd& forces, 
         weight += f.norm();
       }
       if (weight == 0) continue;
-      const Vec3 point = moment / weight, arrow = force_scale_ * force;
-      const bool inwards = arrow.dot(point - middle) < 0;
+      const Vec3 at_middle = moment / weight, point = at_middle - origin_, arrow = force_scale_ * force;
+      const bool inwards = arrow.dot(at_middle - middle) < 0;
       arrows.push_back({to_point(inwards ? point - arrow : point), to_point(inwards ? point : point + arrow), colour});
     }
   }
@@ -150,8 +151,8 @@ void Arrows::add_velocities(const sim::State& state, std::vector<render::Arrow>&
         velocity += at(state.v, node);
       }
       const double count = static_cast<double>(place.size());
-      arrows.push_back(
-          {to_point(point / count), to_point((point + velocity_scale_ * velocity) / count), velocity_colour});
+      const Vec3 from = point / count - origin_;
+      arrows.push_back({to_point(from), to_point(from + velocity_scale_ * velocity / count), velocity_colour});
     }
   }
 }

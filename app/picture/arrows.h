@@ -12,8 +12,8 @@ namespace app {
 
 class Arrows {
  public:
-  // Both arguments must outlive it.
-  Arrows(const sim::System& system, const Document& document);
+  // The first two arguments must outlive it; arrows are relative to the origin.
+  Arrows(const sim::System& system, const Document& document, const Vec3& origin = Vec3::Zero());
 
   // Adds the arrows that the look asks for.
   void add(const sim::State& state, std::vector<render::Arrow>& arrows) const;
@@ -28,6 +28,7 @@ class Arrows {
 
   const sim::System& system_;
   const Look& look_;
+  Vec3 origin_;
   std::vector<std::vector<Place>> places_, on_surface_;  // body by body: of all nodes, of those of the surface
   double force_scale_ = 0;                               // m/N
   double velocity_scale_ = 0;                            // s

@@ -20,23 +20,34 @@ double radians(double degrees) {
 }
 
 // What of an obstacle the bodies may come to: of a plane, where they fall on it.
+// Others have their nearest part beside the bodies, where it is as near as a body is large.
 Eigen::AlignedBox3d reached(const sim::Plane& plane, const Eigen::AlignedBox3d& bodies, double near_by,
                             const Vec3& down) {
   Eigen::AlignedBox3d box;
   const double along = plane.normal.dot(down);
-  if (!(along < -0.1)) return box;
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner = bodies.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    const double height = plane.normal.dot(corner - plane.point);
+    if (!(along < -0.1)) {
+      if (std::abs(height) < bodies.sizes().norm()) box.extend(Vec3(corner - height * plane.normal));
+      continue;
+    }
     const double fall = plane.normal.dot(plane.point - corner) / along;
     if (fall > 0 && fall < near_by) box.extend(corner + fall * down);
   }
   return box;
 }
 
+// A sphere that is far larger than the bodies is seen where they are.
 Eigen::AlignedBox3d reached(const sim::Sphere& ball, const Eigen::AlignedBox3d& bodies, double near_by, const Vec3&) {
   const Vec3 reach = Vec3::Constant(ball.radius);
-  if (!(bodies.exteriorDistance(ball.centre) < near_by)) return {};
-  return {ball.centre - reach, ball.centre + reach};
+  const Eigen::AlignedBox3d all(ball.centre - reach, ball.centre + reach);
+  if (!(bodies.exteriorDistance(ball.centre) < near_by + ball.radius)) return {};
+  const double size = bodies.sizes().norm();
+  if (ball.radius < 5 * size) return all;
+  const Vec3 foot = ball.centre + ball.radius * (bodies.center() - ball.centre).normalized();
+  const Vec3 part = Vec3::Constant(size / 2);
+  return all.intersection({foot - part, foot + part});
 }
 
 // The bodies at rest and where they will fall: the scene tells both before a step is taken.
@@ -84,8 +95,13 @@ Vec3 turned(const Vec3& arm, const Vec3& up, double turn, double tilt) {
 
 }  // namespace
 
-CameraPath::CameraPath(const sim::System& system, const Document& document, double aspect)
-    : system_(system), camera_(document.camera), aspect_(aspect), first_(first_box(system, document.scene)) {
+CameraPath::CameraPath(const sim::System& system, const Document& document, double aspect, double margin)
+    : system_(system),
+      camera_(document.camera),
+      stand_(stand_of(document, system)),
+      aspect_(aspect),
+      margin_(margin),
+      first_(first_box(system, document.scene)) {
   for (const sim::BodyRange& body : system.bodies()) {
     if (!camera_.follow.empty() && body.name == camera_.follow) followed_ = &body;
   }
@@ -109,13 +125,13 @@ render::Camera CameraPath::at(const sim::State& state) const {
     box.extend(Vec3(middle + (now.min() - middle) / swing));
     box.extend(Vec3(middle + (now.max() - middle) / swing));
   }
-  render::Camera view = view_of(camera_, box, system_.dimension(), aspect_);
+  render::Camera view = view_of(camera_, stand_, box, system_.dimension(), aspect_, margin_);
   const double t = system_.time(state.step);
   const CameraPose pose = pose_at(camera_.keyframes, t);
   const Vec3 shift = followed_ != nullptr ? Vec3(middle_of_followed(state.x) - start_) : Vec3(Vec3::Zero());
   const Vec3 target = to_vector(view.target) + shift;
   Vec3 arm = to_vector(view.eye) - to_vector(view.target);
-  if (!view.orthographic) arm = turned(arm, camera_.up, pose.turn + camera_.orbit * t, pose.tilt);
+  if (!view.orthographic) arm = turned(arm, stand_.up, pose.turn + camera_.orbit * t, pose.tilt);
   view.target = to_point(target);
   view.eye = to_point(target + arm);
   view.height = static_cast<float>(view.height / pose.zoom);

@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "app/picture/caption.h"
@@ -23,13 +21,14 @@ constexpr std::array<render::Colour, 6> body_colours = {{{0.80F, 0.33F, 0.25F},
                                                          {0.75F, 0.48F, 0.64F},
                                                          {0.45F, 0.73F, 0.89F}}};
 
-render::Surface still_surface(const sim::BodyRange& body, const Surface& surface, std::size_t number) {
+render::Surface still_surface(const sim::BodyRange& body, const Surface& surface, std::size_t number,
+                              const Vec3& origin) {
   render::Surface still;
   still.name = body.name;
   still.triangles = surface.triangles();
   still.edges = surface.edges();
   still.outline = surface.outline();
-  still.rest = surface.points(body.mesh->X);
+  still.rest = surface.points(body.mesh->X, origin);
   still.crease = 60;  // of coarse meshes as well: what is meant as an edge is sharper
   still.flat = body.mesh->dimension() == 2;
   still.colour = body_colours[number % body_colours.size()];
@@ -58,28 +57,49 @@ render::Look look_of(const Look& look, bool plane) {
 
 }  // namespace
 
-Picture::Picture(const sim::System& system, const Document& document, double aspect)
+Picture::Picture(const sim::System& system, const Document& document, int width, int height)
     : system_(system),
       document_(document),
-      aspect_(aspect),
-      camera_path_(system, document, aspect),
-      arrows_(system, document) {
+      stand_(stand_of(document, system)),
+      aspect_(double(width) / height),
+      camera_path_(system, document, aspect_, document.exhibits.empty() ? margin_in_room : margin_in_picture),
+      floor_(system, document, stand_),
+      arrows_(system, document, stand_.origin) {
   const Look& look = document.look;
   const bool plane = system.dimension() == 2;
   for (const sim::BodyRange& body : system.bodies()) {
-    surfaces_.emplace_back(*body.mesh);
-    still_.surfaces.push_back(still_surface(body, surfaces_.back(), still_.surfaces.size()));
+    const Skin* const skin = document.meshes.empty() ? nullptr : document.meshes[surfaces_.size()].skin.get();
+    if (skin != nullptr)
+      surfaces_.emplace_back(*body.mesh, *skin);
+    else
+      surfaces_.emplace_back(*body.mesh);
+    still_.surfaces.push_back(still_surface(body, surfaces_.back(), still_.surfaces.size(), stand_.origin));
     still_.surfaces.back().round = look.smooth && !plane && surfaces_.back().is_linear();
     if (look.finish == "jelly") still_.surfaces.back().finish = render::Finish::jelly;
     if (look.ghost) still_.ghosts.push_back(ghost_of(still_.surfaces.back()));
   }
-  if (!plane) {
-    still_.ground = ground_of(look, document.camera.up, rest_box(system.bodies()), document.scene.obstacles);
-  }
-  if (look.obstacles) add_obstacles(document.scene.obstacles, still_);
+  if (look.obstacles) add_obstacles(document.scene.obstacles, stand_.origin, still_);
   still_.title = document.title;
   still_.look = look_of(look, plane);
-  if (const auto shown = quantity(look.colour)) expected_reach_ = expected_reach(*shown, document.scene);
+  still_.origin = {stand_.origin.x(), stand_.origin.y(), stand_.origin.z()};
+  const auto shown = quantity(look.colour);
+  if (shown) expected_reach_ = expected_reach(*shown, document.scene);
+  render::Contents contents{.title = document.title, .look = still_.look};
+  contents.caption = !look.caption.empty();
+  contents.labels = shows_labels();
+  contents.strips = look.energies ? 1 : 0;
+  if (shown) contents.legend = colour_range(*shown, look, expected_reach_).scale.label;
+  room_ = render::room_for(contents, width, height);
+}
+
+bool Picture::shows_labels() const {
+  return document_.look.labels.value_or(surfaces_.size() > 1);
+}
+
+// Where the scene leaves the camera open, the bodies stand between what else is in the picture.
+bool Picture::is_placed() const {
+  const Camera& camera = document_.camera;
+  return document_.exhibits.empty() && !camera.eye && !camera.target && !camera.height;
 }
 
 render::Frame Picture::frame(const Moment& moment) const {
@@ -90,47 +110,31 @@ render::Frame Picture::frame(const Moment& moment) const {
     const sim::BodyRange& body = system_.bodies()[i];
     const Eigen::Map<const Eigen::MatrixXd> x(moment.state.x.data() + std::ptrdiff_t{dimension} * body.first_node,
                                               dimension, body.node_count);
-    frame.surfaces[i].positions = surfaces_[i].points(x);
+    frame.surfaces[i].positions = surfaces_[i].points(x, stand_.origin);
   }
   frame.camera = camera_path_.at(moment.state);
+  frame.ground = floor_.at(moment.state);
+  if (is_placed()) place_in(room_, aspect_, frame.camera);
   if (moment.sheet) lay_sheet(*moment.sheet, frame);
   add_values(moment, frame);
   if (look.pins) add_pins(moment.state, frame);
   arrows_.add(moment.state, frame.arrows);
-  if (look.labels.value_or(surfaces_.size() > 1)) add_labels(frame);
+  if (shows_labels()) add_labels(frame);
   if (look.energies) frame.strips.push_back(energy_strip(moment.energies, document_.scene.time.seconds));
   if (!moment.sheet) frame.caption = caption(look.caption, system_, moment);
   return frame;
 }
 
-// Beside a sheet the bodies have a part of the page: what the whole picture would show is seen smaller, and its middle
-// is the middle of that part. The picture's own marks give way to the sheet's.
+// Beside a sheet the bodies have a part of the page. The picture's own marks give way to the sheet's.
 void Picture::lay_sheet(const render::Sheet& sheet, render::Frame& frame) const {
   frame.sheet = sheet;
-  if (!sheet.bodies) {
-    frame.surfaces.clear();
-    frame.ghosts.clear();
-    frame.ground.reset();
+  if (sheet.bodies) {
+    place_in(sheet.picture, aspect_, frame.camera);
     return;
   }
-  const render::Box& part = sheet.picture;
-  const double share = std::min(part.right - part.left, part.bottom - part.top);
-  render::Camera& camera = frame.camera;
-  const auto vector = [](const render::Point& p) { return Vec3(p[0], p[1], p[2]); };
-  const Vec3 arm = vector(camera.eye) - vector(camera.target);
-  double extent = camera.height / share;  // visible height at the target, m
-  if (!camera.orthographic) {
-    const double half = std::tan(camera.field_of_view * std::numbers::pi / 360) / share;
-    camera.field_of_view = static_cast<float>(2 * std::atan(half) * 180 / std::numbers::pi);
-    extent = 2 * half * arm.norm();
-  }
-  const Vec3 right = vector(camera.up).cross(arm).normalized(), up = arm.cross(right).normalized();
-  const Vec3 shift = (0.5 - (part.left + part.right) / 2) * aspect_ * extent * right -
-                     (0.5 - (part.top + part.bottom) / 2) * extent * up;
-  const Vec3 target = vector(camera.target) + shift;
-  camera.height = static_cast<float>(extent);
-  camera.target = to_point(target);
-  camera.eye = to_point(target + arm);
+  frame.surfaces.clear();
+  frame.ghosts.clear();
+  frame.ground.reset();
 }
 
 void Picture::add_values(const Moment& moment, render::Frame& frame) const {

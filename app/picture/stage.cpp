@@ -7,8 +7,6 @@
 namespace app {
 namespace {
 
-constexpr double margin = 1.25;  // seen over needed
-
 std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box) {
   std::array<Vec3, 8> points;
   for (int i = 0; i < 8; ++i) {
@@ -27,7 +25,7 @@ Vec3 usual_direction(const Vec3& up) {
 // How far from the target an eye in this direction sees the whole box: a point p (from the target) is seen where
 // |p.side| <= (distance - p.direction) tan(half angle), for both sides of the picture.
 double fitting_distance(const Eigen::AlignedBox3d& box, const Vec3& target, const Vec3& direction, const Vec3& up,
-                        double tan_width, double tan_height) {
+                        double tan_width, double tan_height, double margin) {
   const Vec3 right = up.cross(direction).normalized(), upright = direction.cross(right);
   double distance = 0;
   for (const Vec3& corner : corners(box)) {
@@ -38,30 +36,24 @@ double fitting_distance(const Eigen::AlignedBox3d& box, const Vec3& target, cons
   return distance > 0 ? distance : 1.0;
 }
 
-render::Camera plane_view(const Camera& camera, const Vec3& target, const Eigen::AlignedBox3d& box, double aspect) {
+render::Camera plane_view(const Camera& camera, const Vec3& target, const Vec3& origin, const Eigen::AlignedBox3d& box,
+                          double aspect, double margin) {
   render::Camera view;
   const Vec3 half = (box.max() - target).cwiseMax(target - box.min());
   const double needed = 2 * margin * std::max(half.y(), half.x() / aspect);
   const double height = camera.height.value_or(needed > 0 ? needed : 1.0);
   view.orthographic = true;
   view.height = static_cast<float>(height);
-  view.target = to_point(target);
-  view.eye = to_point(target + height * Vec3::UnitZ());
+  view.target = to_point(target - origin);
+  view.eye = to_point(target - origin + height * Vec3::UnitZ());
   return view;
 }
 
-bool is_floor(const sim::Plane& plane, const Vec3& up) {
-  return plane.normal.dot(up) > 0.7;
+void draw(const sim::Plane& plane, const Vec3& origin, render::Frame& frame) {
+  frame.planes.push_back({to_point(plane.point - origin), to_point(plane.normal)});
 }
-bool is_floor(const sim::Sphere&, const Vec3&) {
-  return false;
-}
-
-void draw(const sim::Plane& plane, render::Frame& frame) {
-  frame.planes.push_back({to_point(plane.point), to_point(plane.normal)});
-}
-void draw(const sim::Sphere& sphere, render::Frame& frame) {
-  frame.spheres.push_back({to_point(sphere.centre), static_cast<float>(sphere.radius)});
+void draw(const sim::Sphere& sphere, const Vec3& origin, render::Frame& frame) {
+  frame.spheres.push_back({to_point(sphere.centre - origin), static_cast<float>(sphere.radius)});
 }
 
 }  // namespace
@@ -83,37 +75,53 @@ Eigen::AlignedBox3d rest_box(std::span<const sim::BodyRange> bodies) {
   return box;
 }
 
-render::Camera view_of(const Camera& camera, const Eigen::AlignedBox3d& box, int dimension, double aspect) {
+Stand stand_of(const Document& document, const sim::System& system) {
+  constexpr double far = 1e3;
+  const Eigen::AlignedBox3d box = rest_box(system.bodies());
+  const Vec3 middle = box.center();
+  Stand stand;
+  if (system.dimension() == 3) stand.up = up_of(document.camera, document.scene.world.gravity);
+  if (middle.norm() > far * box.sizes().norm()) stand.origin = middle;
+  return stand;
+}
+
+render::Camera view_of(const Camera& camera, const Stand& stand, const Eigen::AlignedBox3d& box, int dimension,
+                       double aspect, double margin) {
   const Vec3 target = camera.target.value_or(box.center());
-  if (dimension == 2) return plane_view(camera, target, box, aspect);
+  if (dimension == 2) return plane_view(camera, target, stand.origin, box, aspect, margin);
   const double tan_height = std::tan(camera.fov / 2 * std::numbers::pi / 180);
-  const Vec3 direction = usual_direction(camera.up);
-  const double distance = fitting_distance(box, target, direction, camera.up, aspect * tan_height, tan_height);
+  const Vec3 direction = usual_direction(stand.up);
+  const double distance = fitting_distance(box, target, direction, stand.up, aspect * tan_height, tan_height, margin);
   render::Camera view;
-  view.target = to_point(target);
-  view.eye = to_point(camera.eye.value_or(target + distance * direction));
-  view.up = to_point(camera.up);
+  view.target = to_point(target - stand.origin);
+  view.eye = to_point(camera.eye.value_or(target + distance * direction) - stand.origin);
+  view.up = to_point(stand.up);
   view.field_of_view = static_cast<float>(camera.fov);
   return view;
 }
 
-std::optional<render::Ground> ground_of(const Look& look, const Vec3& up, const Eigen::AlignedBox3d& box,
-                                        std::span<const sim::Obstacle> obstacles) {
-  if (!look.ground) return std::nullopt;
-  const auto floors = [&](const sim::Obstacle& obstacle) {
-    return std::visit([&](const auto& shape) { return is_floor(shape, up); }, obstacle.shape);
-  };
-  if (look.obstacles && !look.ground_height && std::ranges::any_of(obstacles, floors)) return std::nullopt;
-  double lowest = up.dot(box.min());
-  for (const Vec3& corner : corners(box)) lowest = std::min(lowest, up.dot(corner));
-  // A gap that cannot be seen, but keeps the floor from flickering through the faces that lie on it.
-  const double height = look.ground_height.value_or(lowest - 1e-3 * box.sizes().maxCoeff());
-  return render::Ground{to_point(height * up), to_point(up)};
+void place_in(const render::Box& part, double aspect, render::Camera& camera) {
+  const double share = std::min(part.right - part.left, part.bottom - part.top);
+  const auto vector = [](const render::Point& p) { return Vec3(p[0], p[1], p[2]); };
+  const Vec3 arm = vector(camera.eye) - vector(camera.target);
+  double extent = camera.height / share;  // visible height at the target, m
+  if (!camera.orthographic) {
+    const double half = std::tan(camera.field_of_view * std::numbers::pi / 360) / share;
+    camera.field_of_view = static_cast<float>(2 * std::atan(half) * 180 / std::numbers::pi);
+    extent = 2 * half * arm.norm();
+  }
+  const Vec3 right = vector(camera.up).cross(arm).normalized(), up = arm.cross(right).normalized();
+  const Vec3 shift = (0.5 - (part.left + part.right) / 2) * aspect * extent * right -
+                     (0.5 - (part.top + part.bottom) / 2) * extent * up;
+  const Vec3 target = vector(camera.target) + shift;
+  camera.height = static_cast<float>(extent);
+  camera.target = to_point(target);
+  camera.eye = to_point(target + arm);
 }
 
-void add_obstacles(std::span<const sim::Obstacle> obstacles, render::Frame& frame) {
+void add_obstacles(std::span<const sim::Obstacle> obstacles, const Vec3& origin, render::Frame& frame) {
   for (const sim::Obstacle& obstacle : obstacles)
-    std::visit([&](const auto& shape) { draw(shape, frame); }, obstacle.shape);
+    std::visit([&](const auto& shape) { draw(shape, origin, frame); }, obstacle.shape);
 }
 
 }  // namespace app

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "app/scene/look.h"
+#include "app/scene/document.h"
 #include "render/frame.h"
 #include "sim/scene.h"
 #include "sim/system.h"
@@ -15,15 +15,29 @@ namespace app {
 // What holds all bodies at rest [m]; z = 0 in 2D. The origin when there is none.
 Eigen::AlignedBox3d rest_box(std::span<const sim::BodyRange> bodies);
 
+// Which way is up, and from where pictures count: single precision has no digits to spare far from the origin.
+struct Stand {
+  Vec3 up = {0, 1, 0};      // unit
+  Vec3 origin = {0, 0, 0};  // m: positions in a picture are relative to it
+};
+
+// Up is against gravity where the camera does not say; the origin is the scene's own unless that lies more than a
+// thousand times its size away.
+Stand stand_of(const Document& document, const sim::System& system);
+
+// How much more is seen than what is to be seen.
+constexpr double margin_in_room = 1.15;     // beside what else stands in the picture: enough to swing in
+constexpr double margin_in_picture = 1.25;  // of all of the picture
+
 // The camera that the scene names, without its motion; what it leaves out is chosen so that the box is seen, with a
-// margin for text and to move in. `aspect`: width / height of the picture.
-render::Camera view_of(const Camera& camera, const Eigen::AlignedBox3d& box, int dimension, double aspect);
+// margin to move in. `aspect`: width / height of the picture.
+render::Camera view_of(const Camera& camera, const Stand& stand, const Eigen::AlignedBox3d& box, int dimension,
+                       double aspect, double margin = margin_in_picture);
 
-// The floor that the look asks for; where its height is left open, none over a plane obstacle that is one.
-std::optional<render::Ground> ground_of(const Look& look, const Vec3& up, const Eigen::AlignedBox3d& box,
-                                        std::span<const sim::Obstacle> obstacles);
+// What the whole picture would show is seen smaller, and its middle is the middle of this part of the picture.
+void place_in(const render::Box& part, double aspect, render::Camera& camera);
 
-void add_obstacles(std::span<const sim::Obstacle> obstacles, render::Frame& frame);
+void add_obstacles(std::span<const sim::Obstacle> obstacles, const Vec3& origin, render::Frame& frame);
 
 render::Point to_point(const Vec3& v);
 

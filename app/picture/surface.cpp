@@ -151,12 +151,35 @@ Surface::Surface(const sim::Mesh& mesh) {
   }
 }
 
+Surface::Surface(const sim::Mesh& mesh, const Skin& skin) {
+  constexpr Eigen::Index few = 4000;  // triangles: more of them are round enough
+  linear_ = skin.triangles.cols() <= few;
+  vertex_of_node_.assign(static_cast<std::size_t>(mesh.node_count()), -1);
+  for (const sim::MaterialPoint& point : skin.points) {
+    for (std::size_t i = 0; i < point.weights.size(); ++i) {
+      nodes_.push_back(mesh.elements(static_cast<Eigen::Index>(i), point.element));
+      weights_.push_back(point.weights[i]);
+    }
+    starts_.push_back(static_cast<int>(nodes_.size()));
+  }
+  for (const auto& t : skin.triangles.colwise()) {
+    for (int k = 0; k < 3; ++k) {
+      triangles_.push_back(static_cast<std::uint32_t>(t[k]));
+      const int next = t[(k + 1) % 3];
+      if (t[k] > next) continue;  // the other triangle of the edge draws it
+      edges_.push_back(static_cast<std::uint32_t>(t[k]));
+      edges_.push_back(static_cast<std::uint32_t>(next));
+    }
+  }
+}
+
 int Surface::vertex_of(int node) const {
   const bool known = node >= 0 && node < static_cast<int>(vertex_of_node_.size());
   return known ? vertex_of_node_[static_cast<std::size_t>(node)] : -1;
 }
 
-std::vector<float> Surface::points(const Eigen::Ref<const Eigen::MatrixXd>& positions) const {
+std::vector<float> Surface::points(const Eigen::Ref<const Eigen::MatrixXd>& positions,
+                                   const Eigen::Vector3d& origin) const {
   std::vector<float> result;
   result.reserve(3 * static_cast<std::size_t>(vertex_count()));
   for (int vertex = 0; vertex < vertex_count(); ++vertex) {
@@ -166,6 +189,7 @@ std::vector<float> Surface::points(const Eigen::Ref<const Eigen::MatrixXd>& posi
       const auto i = static_cast<std::size_t>(k);
       point.head(positions.rows()) += weights_[i] * positions.col(nodes_[i]);
     }
+    point.head(positions.rows()) -= origin.head(positions.rows());
     for (const double coordinate : point) result.push_back(static_cast<float>(coordinate));
   }
   return result;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/scene/skin.h"
 #include "sim/mesh/mesh.h"
 
 namespace app {
@@ -15,6 +16,8 @@ class Surface {
  public:
   // The boundary of a solid; all elements of a plane mesh or a membrane.
   explicit Surface(const sim::Mesh& mesh);
+  // The skin that the body wears.
+  Surface(const sim::Mesh& mesh, const Skin& skin);
 
   int vertex_count() const { return static_cast<int>(starts_.size()) - 1; }
   // 3 per triangle, counter-clockwise from outside.
@@ -26,11 +29,12 @@ class Surface {
 
   // Whether its facets are flat by themselves, so that what is round has to be made so.
   bool is_linear() const { return linear_; }
-  // The vertex at a node of the mesh; -1 where the node is inside.
+  // The vertex at a node of the mesh; -1 where the node is inside, and under a skin.
   int vertex_of(int node) const;
 
-  // x, y, z of each vertex from positions per node, dimension x nodes; z = 0 in 2D.
-  std::vector<float> points(const Eigen::Ref<const Eigen::MatrixXd>& positions) const;
+  // x, y, z of each vertex, from an origin, by positions per node, dimension x nodes; z = 0 in 2D.
+  std::vector<float> points(const Eigen::Ref<const Eigen::MatrixXd>& positions,
+                            const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) const;
   // One number per vertex from one number per node.
   std::vector<float> values(const Eigen::Ref<const Eigen::VectorXd>& node_values) const;
 

@@ -25,8 +25,8 @@ struct ShownScene {
 // What the options say of a frame, pixels.
 struct FrameSize {
   explicit FrameSize(const Options& options);
-  double aspect() const { return double(width - panel) / height; }  // of the picture
-  int width, height, panel, samples;                                // panel: at the left; 0: none
+  int picture() const { return width - panel; }  // its width
+  int width, height, panel, samples;             // panel: at the left; 0: none
 };
 
 // Owns its GL context: made and used in one thread.

@@ -70,7 +70,7 @@ Recorder::Recorder(std::shared_ptr<const Simulation> simulation, const RunFolder
 
 std::shared_ptr<const ShownScene> Recorder::make_shown(std::shared_ptr<const Simulation> simulation,
                                                        std::vector<Override> waiting) const {
-  Picture picture(*simulation->system, simulation->document, size_.aspect());
+  Picture picture(*simulation->system, simulation->document, size_.picture(), size_.height);
   return std::make_shared<const ShownScene>(ShownScene{std::move(simulation), std::move(picture), std::move(waiting)});
 }
 

@@ -1,10 +1,14 @@
 #include "app/scene/body_mesh.h"
 
 #include <cmath>
+#include <optional>
 #include <tuple>
 
+#include "app/base/text.h"
+#include "app/mesh/error.h"
 #include "app/mesh/mesh_file.h"
 #include "sim/element/element.h"
+#include "sim/fill/fill.h"
 #include "sim/mesh/check.h"
 #include "sim/mesh/components.h"
 #include "sim/mesh/generate.h"
@@ -81,6 +85,52 @@ void merge_nodes(const MeshSpec& spec, sim::Mesh& mesh, std::vector<std::string>
   add_remark(remarks, joined.elements, "elements had two nodes that were joined and have been left out");
 }
 
+// The tets inside a closed surface.
+sim::Mesh filled_surface(const MeshSpec& spec, const sim::Mesh& surface, std::vector<std::string>& remarks) {
+  if (surface.kind != ElementKind::tri3 || surface.dimension() != 3)
+    throw InputError("mesh.surface", "is no surface of triangles in space; mesh.file reads what it is");
+  if (spec.size == 0)
+    throw InputError("mesh", "'size' is missing: about the length of the edges that fill the surface");
+  sim::Filling filling = sim::fill(surface, spec.size);
+  const sim::Shells& shells = filling.shells;
+  remarks.push_back("filled " + std::to_string(surface.element_count()) + " triangles with " +
+                    std::to_string(filling.mesh.element_count()) + " tets; smallest dihedral angle " +
+                    formatted("%.1f", filling.smallest_angle) + " degrees");
+  if (shells.count > 1) remarks.push_back("the surface is in " + std::to_string(shells.count) + " shells");
+  add_remark(remarks, shells.open_edges, "edges of the surface are open; the holes have been closed");
+  add_remark(remarks, shells.crowded_edges, "edges of the surface have more than two triangles");
+  add_remark(remarks, shells.turned, "triangles faced the other way than their neighbours and have been turned");
+  add_remark(remarks, shells.inside_out, "shells were inside out and have been turned");
+  add_remark(remarks, shells.cavities, "shells inside of others are walls of cavities");
+  add_remark(remarks, filling.crumbs, "parts smaller than 1 % of the body have been left out");
+  return std::move(filling.mesh);
+}
+
+// A surface or a file of tets as the scene asks for it.
+sim::Mesh read_body(MeshSpec& spec, std::optional<sim::Mesh>& surface, std::vector<std::string>& remarks) {
+  if (!spec.cells.empty()) throw InputError("mesh.cells", "is for generated meshes only");
+  if (!spec.grading.empty()) throw InputError("mesh.grading", "is for generated meshes only");
+  sim::Mesh mesh = read_mesh(spec.file, remarks);
+  if (spec.source == MeshSource::file) return as_asked(std::move(mesh), spec);
+  surface = std::move(mesh);
+  return as_asked(filled_surface(spec, *surface, remarks), spec);
+}
+
+// The surface that the body wears, on the tets as they have become.
+void put_skin_on(MeshSpec& spec, std::optional<sim::Mesh> surface, const sim::Mesh& mesh) {
+  if (spec.wears_surface && !surface) throw InputError("mesh.skin", "true is for a body that is filled: mesh.surface");
+  if (!spec.skin_file.empty()) {
+    std::vector<std::string> unsaid;  // of a file that is only looked at
+    try {
+      surface = read_mesh(spec.skin_file, unsaid);
+    } catch (const FileError& error) {
+      throw InputError("mesh.skin", error.what());
+    }
+  }
+  if (spec.wears_surface || !spec.skin_file.empty())
+    spec.skin = std::make_shared<const Skin>(make_skin(*surface, mesh));
+}
+
 void into_space(sim::Mesh& mesh) {
   if (mesh.dimension() == 3) return;
   const sim::ElementInfo& element = sim::info(mesh.kind);
@@ -97,10 +147,11 @@ int axes(MeshSource source) {
 
 sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
   sim::Mesh mesh;
-  if (spec.source == MeshSource::file) {
-    if (!spec.cells.empty()) throw InputError("mesh.cells", "is for generated meshes only");
-    if (!spec.grading.empty()) throw InputError("mesh.grading", "is for generated meshes only");
-    mesh = as_asked(read_mesh(spec.file, remarks), spec);
+  std::optional<sim::Mesh> surface;
+  if (spec.source != MeshSource::surface && spec.size != 0)
+    throw InputError("mesh.size", "is for a surface that is filled: mesh.surface");
+  if (spec.source == MeshSource::file || spec.source == MeshSource::surface) {
+    mesh = read_body(spec, surface, remarks);
   } else {
     if (spec.element.empty()) spec.element = spec.source == MeshSource::box ? "tet4" : "tri3";
     if (spec.grading.empty()) spec.grading.assign(axes(spec.source), 1.0);
@@ -118,6 +169,7 @@ sim::Mesh make_mesh(MeshSpec& spec, std::vector<std::string>& remarks) {
   check_count(mesh.element_count() * std::pow(children, spec.refine), "mesh.refine");
   for (int i = 0; i < spec.refine; ++i) mesh = sim::refine(mesh);
   if (spec.space == 3) into_space(mesh);
+  put_skin_on(spec, std::move(surface), mesh);
   return mesh;
 }
 

@@ -49,7 +49,7 @@ const std::vector<Key>& keys() {
 const std::vector<Alternatives>& alternatives() {
   static const std::vector<Alternatives> table = {
       {"time", {"substeps", "step"}, false},
-      {"body[].mesh", {"box", "rectangle", "sheet", "file"}, true},
+      {"body[].mesh", {"box", "rectangle", "sheet", "file", "surface"}, true},
       {"body[].pin[]", {"box", "sphere", "group"}, true},
       {"body[].traction[]", {"box", "sphere", "group"}, true},
       {"body[].start", {"nodes", "file"}, false},
@@ -154,6 +154,8 @@ std::string kind_text(const Form& form) {
       return "an integer or \"auto\"";
     case Kind::joining:
       return "a number or true";
+    case Kind::switch_or_text:
+      return "true or a string";
     case Kind::number:
       return "a number";
     case Kind::text:

@@ -17,27 +17,28 @@
 namespace app {
 
 enum class Kind {
-  table,      // holds other keys; no value
-  list,       // "body[]": an entry of a list; the value of the list is its length
-  boolean,    // bool
-  integer,    // std::int64_t
-  substeps,   // integer, or "auto" = 0
-  number,     // double
-  joining,    // a distance, true = 0 or false = -1: double
-  text,       // std::string
-  name,       // text that can head a column: not empty, no comma, quote or control character
-  choice,     // text, one of choices()
-  axes,       // text, some of x y z
-  names,      // a list of texts
-  integers,   // a list of numbers
-  numbers,    // a list of numbers
-  point,      // as many numbers as the scene has dimensions; the value has 3, the missing one is 0
-  direction,  // a point other than 0, made unit
-  axis,       // three numbers in 2D too, made unit; in a 2D scene +-z
-  box,        // [low, high], two points; the value has 6 numbers
-  ball,       // [centre, radius]; the value has 4 numbers
-  matrix,     // rows of as many numbers as the scene has dimensions; the value has them row by row
-  points,     // a list of points, as many as there are; the value has 3 numbers for each
+  table,           // holds other keys; no value
+  list,            // "body[]": an entry of a list; the value of the list is its length
+  boolean,         // bool
+  integer,         // std::int64_t
+  substeps,        // integer, or "auto" = 0
+  number,          // double
+  joining,         // a distance, true = 0 or false = -1: double
+  switch_or_text,  // bool or std::string
+  text,            // std::string
+  name,            // text that can head a column: not empty, no comma, quote or control character
+  choice,          // text, one of choices()
+  axes,            // text, some of x y z
+  names,           // a list of texts
+  integers,        // a list of numbers
+  numbers,         // a list of numbers
+  point,           // as many numbers as the scene has dimensions; the value has 3, the missing one is 0
+  direction,       // a point other than 0, made unit
+  axis,            // three numbers in 2D too, made unit; in a 2D scene +-z
+  box,             // [low, high], two points; the value has 6 numbers
+  ball,            // [centre, radius]; the value has 4 numbers
+  matrix,          // rows of as many numbers as the scene has dimensions; the value has them row by row
+  points,          // a list of points, as many as there are; the value has 3 numbers for each
 };
 
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<std::string>>;

@@ -23,13 +23,19 @@ struct CameraPose {
 struct Camera {
   std::optional<Vec3> eye;            // m, 3D only; none: far enough from the target to see every body
   std::optional<Vec3> target;         // m, the point in the middle of the picture; none: the middle of what is seen
-  Vec3 up = {0, 1, 0};                // 3D only: the direction that is up in the picture
+  std::optional<Vec3> up;             // 3D only: the direction that is up in the picture; none: against gravity
   double fov = 30;                    // degrees, 3D only: vertical opening angle
   std::optional<double> height;       // m, 2D only: height of what is seen; none: every body is seen
   double orbit = 0;                   // degrees/s, 3D only: an even turn about `up`, added to the script
   std::vector<CameraPose> keyframes;  // the script: times increase, eased from pose to pose
   std::string follow;                 // name of the body that eye and target move with; empty: none
 };
+
+// The direction that is up: against gravity where the camera leaves it open.
+inline Vec3 up_of(const Camera& camera, const Vec3& gravity) {
+  if (camera.up) return *camera.up;
+  return gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(Vec3::UnitY());
+}
 
 struct Look {
   std::string style = "usual";                 // "usual" | "lecture": to be read from the last row of a hall
@@ -42,8 +48,8 @@ struct Look {
   bool wireframe = false;                      // edges of the elements over the faces
   bool smooth = true;                          // 3D: faces between smooth neighbours are drawn round
   bool shadows = true;                         // 3D: soft shadows and darkened creases
-  bool ground = true;                          // 3D: a floor below the bodies, which shows where they are
-  std::optional<double> ground_height;         // m along `up`; none: just below the lowest body at rest
+  bool ground = true;                          // 3D: a floor below what stays there, which shows where it is
+  std::optional<double> ground_height;         // m along `up`; none: below the lowest body and obstacle
   bool ghost = false;                          // the rest shape, translucent
   bool pins = false;                           // a dot at each pinned node of the surface
   bool obstacles = true;                       // obstacles are drawn

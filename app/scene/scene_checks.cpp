@@ -155,7 +155,7 @@ void check_picture(const Document& document, Mistakes& mistakes) {
     const Vec3 view = *camera.target - *camera.eye;
     if (view.norm() == 0) {
       mistakes.refuse("camera.target", "must differ from camera.eye");
-    } else if (view.normalized().cross(camera.up).norm() < 1e-6) {
+    } else if (view.normalized().cross(up_of(camera, document.scene.world.gravity)).norm() < 1e-6) {
       mistakes.refuse("camera.up", "must not lie along the line from camera.eye to camera.target");
     }
   }

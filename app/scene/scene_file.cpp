@@ -44,7 +44,7 @@ void make_body(MeshSpec& spec, const std::string& path, sim::Body& body, std::ve
   } catch (const sim::InputError& error) {
     throw sim::InputError(path + "." + error.key, error.what());
   } catch (const FileError& error) {
-    throw sim::InputError(path + ".mesh.file", error.what());
+    throw sim::InputError(path + (spec.source == MeshSource::surface ? ".mesh.surface" : ".mesh.file"), error.what());
   }
 }
 
@@ -54,7 +54,7 @@ void note_closed_surface(const sim::Body& body, const MeshSpec& spec, std::vecto
   if (sim::info(body.mesh.kind).dimension == 3 || sim::boundary_facets(body.mesh).cols() > 0) return;
   std::string remark = "a closed surface, taken as a hollow membrane of thickness ";
   append_number(remark, body.thickness);
-  remarks.push_back(remark + " m (body.thickness); a solid is made of tets, which gmsh or tetgen fill it with");
+  remarks.push_back(remark + " m (body.thickness); mesh.surface fills it with tets");
 }
 
 // A body that something is wrong with gets no mesh, and neither does one that only stands in a gap of the list.
@@ -67,7 +67,8 @@ void make_bodies(Document& document, const std::filesystem::path& folder, const 
     MeshSpec& spec = document.meshes[i];
     if (body.name.empty()) body.name = "body" + std::to_string(i);
     if (mistakes.in_part_of(path) || !places.contains(path)) continue;
-    if (spec.source == MeshSource::file) spec.file = folder / spec.file;
+    if (!spec.file.empty()) spec.file = folder / spec.file;
+    if (!spec.skin_file.empty()) spec.skin_file = folder / spec.skin_file;
     std::vector<std::string> remarks;
     mistakes.collect([&] { make_body(spec, path, body, remarks); });
     note_closed_surface(body, spec, remarks);

@@ -35,7 +35,11 @@ std::uint64_t scene_identity(const Document& document) {
   simulated.exhibits.clear();
   simulated.scene.time.seconds = sim::Time{}.seconds;
   // Files may lie elsewhere and be the same.
-  for (MeshSpec& mesh : simulated.meshes) mesh.file = mesh.file.filename();
+  for (MeshSpec& mesh : simulated.meshes) {
+    mesh.file = mesh.file.filename();
+    mesh.wears_surface = false;
+    mesh.skin_file.clear();
+  }
   for (std::filesystem::path& file : simulated.start_files) file.clear();  // the nodes themselves are told
   std::uint64_t sum = sim::checksum(scene_json(simulated, {}));
   for (const sim::Body& body : document.scene.bodies) sum = checksum_of_mesh(body.mesh, sum);

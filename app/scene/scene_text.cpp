@@ -1,6 +1,7 @@
 #include "app/scene/scene_text.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/base/text.h"
 #include "app/scene/key_positions.h"
@@ -54,6 +55,12 @@ std::string relative_path(const std::filesystem::path& file, const std::filesyst
       .generic_string();
 }
 
+bool names_file(std::string_view path) {
+  constexpr std::array<std::string_view, 4> all = {"body[].mesh.file", "body[].mesh.surface", "body[].mesh.skin",
+                                                   "body[].start.file"};
+  return std::ranges::find(all, path) != all.end();
+}
+
 Node filled(const Document& document, const std::filesystem::path& folder) {
   const int dimension = document.scene.dimension;
   Node root = {.type = Node::Type::table};
@@ -63,7 +70,7 @@ Node filled(const Document& document, const std::filesystem::path& folder) {
     for_each_position(document, key, [&](const Indices& indices) {
       std::optional<Value> value = key.binding.get(document, indices);
       if (!value) return;
-      if (key.path == "body[].mesh.file" || key.path == "body[].start.file")
+      if (names_file(key.path) && std::holds_alternative<std::string>(*value))
         value = relative_path(std::get<std::string>(*value), folder);
       if (key.path == "exhibit[].problem")
         value = relative_path(document.folder / std::get<std::string>(*value), folder);

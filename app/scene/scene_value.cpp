@@ -159,6 +159,8 @@ Value value_of(const Form& form, const toml::node& node, int& dimension) {
       return number(node, form);
     case Kind::joining:
       return node.is_boolean() ? (*node.value<bool>() ? 0.0 : -1.0) : number(node, form);
+    case Kind::switch_or_text:
+      return node.is_boolean() ? Value(*node.value<bool>()) : Value(text(node, form));
     case Kind::text:
       return text(node, form);
     case Kind::name:

@@ -20,7 +20,8 @@ render::View screen_of(const Simulation& simulation) {
   render::Bounds bounds;
   bounds.add(render::to_vector(to_point(box.min())));
   bounds.add(render::to_vector(to_point(box.max())));
-  return render::make_view(view_of(simulation.document.camera, box, simulation.system->dimension(), aspect),
+  const Stand stand{up_of(simulation.document.camera, simulation.document.scene.world.gravity)};
+  return render::make_view(view_of(simulation.document.camera, stand, box, simulation.system->dimension(), aspect),
                            static_cast<float>(aspect), bounds);
 }
 

@@ -26,7 +26,7 @@ const sim::ElementInfo* element_of(const Change& change, int dimension) {
 
 // Whether this description of a mesh can be split so, with elements `to` instead of `from`.
 bool possible(const MeshSpec& mesh, int refine, const sim::ElementInfo& from, const sim::ElementInfo* to) {
-  const bool file = mesh.source == MeshSource::file;
+  const bool file = mesh.source == MeshSource::file || mesh.source == MeshSource::surface;
   if (!to || (file && to->simplex() != from.simplex())) return false;
   if (mesh.source == MeshSource::sheet && !to->membrane) return false;
   return mesh.refine + refine >= 0 || (!file && std::ranges::all_of(mesh.cells, [](int n) { return n >= 2; }));

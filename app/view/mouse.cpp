@@ -39,7 +39,7 @@ std::optional<Input> Mouse::press(const WindowEvent& event, const Scenery& now) 
   const Ray ray = ray_of(event, now);
   const std::optional<Picked> picked = pick(ray, now.frame, now.system, now.state);
   if (!picked) return std::nullopt;
-  grip_ = {*picked, on_plane(ray, now.frame.camera, picked->now)};
+  grip_ = {*picked, on_plane(ray, now.frame.camera, picked->now - origin_of(now.frame))};
   return Pull{now.system.bodies()[static_cast<std::size_t>(picked->body)].name, picked->rest, picked->now};
 }
 
@@ -49,8 +49,8 @@ std::optional<Input> Mouse::move(const WindowEvent& event, const Scenery& now) {
   x_ = event.x;
   y_ = event.y;
   if (grip_) {
-    const sim::Vec3& begin = grip_->picked.now;
-    return PullTo{begin + on_plane(ray_of(event, now), now.frame.camera, begin) - grip_->from};
+    const sim::Vec3 &begin = grip_->picked.now, origin = origin_of(now.frame);
+    return PullTo{begin + on_plane(ray_of(event, now), now.frame.camera, begin - origin) - grip_->from};
   }
   if (right == 0 && down == 0) return std::nullopt;
   return *held_ == Button::left ? orbit(now.frame.camera, right, down) : pan(now.frame.camera, right, down);

@@ -65,6 +65,10 @@ sim::Vec3 on_plane(const Ray& ray, const render::Camera& camera, const sim::Vec3
   return ray.origin + (point - ray.origin).dot(normal) / ray.direction.dot(normal) * ray.direction;
 }
 
+sim::Vec3 origin_of(const render::Frame& frame) {
+  return Vec3(frame.origin[0], frame.origin[1], frame.origin[2]);
+}
+
 std::optional<Picked> pick(const Ray& ray, const render::Frame& frame, const sim::System& system,
                            const sim::State& state) {
   Picked picked;
@@ -76,7 +80,8 @@ std::optional<Picked> pick(const Ray& ray, const render::Frame& frame, const sim
     picked.body = static_cast<int>(body);
   }
   if (!std::isfinite(nearest)) return std::nullopt;
-  picked.node = nearest_node(system, state, picked.body, ray.origin + nearest * ray.direction);
+  const Vec3 hit = ray.origin + nearest * ray.direction;
+  picked.node = nearest_node(system, state, picked.body, hit + origin_of(frame));
   const sim::Mesh& mesh = *system.bodies()[static_cast<std::size_t>(picked.body)].mesh;
   picked.rest.setZero();
   picked.rest.head(mesh.dimension()) = mesh.X.col(picked.node);

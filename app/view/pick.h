@@ -15,6 +15,9 @@ struct Ray {
 // Through a place of the picture, in shares of its width and height from the upper left corner.
 Ray ray_through(const render::Camera& camera, double aspect, double x, double y);
 
+// What rays and cameras are relative to.
+sim::Vec3 origin_of(const render::Frame& frame);
+
 // Where the ray meets the plane through the point, parallel to the picture.
 sim::Vec3 on_plane(const Ray& ray, const render::Camera& camera, const sim::Vec3& point);
 

@@ -225,13 +225,14 @@ std::optional<std::filesystem::path> Workbench::take_screenshot() {
   return file;
 }
 
-void Workbench::refresh_picture(double aspect) {
+void Workbench::refresh_picture(int width, int height) {
   const std::shared_ptr<const Simulation> simulation = session_->simulation();
-  if (drawn_ && shown_ == simulation && aspect == aspect_) return;
-  Picture picture(*simulation->system, simulation->document, aspect);
+  const std::array<int, 2> size{width, height};
+  if (drawn_ && shown_ == simulation && size == size_) return;
+  Picture picture(*simulation->system, simulation->document, width, height);
   drawn_ = std::make_unique<const ShownScene>(ShownScene{simulation, std::move(picture), {}});
   shown_ = simulation;
-  aspect_ = aspect;
+  size_ = size;
   camera_.reset();
 }
 
@@ -247,7 +248,7 @@ Moment Workbench::moment() const {
 }
 
 const render::Frame& Workbench::frame(int width, int height) {
-  refresh_picture(static_cast<double>(width) / height);
+  refresh_picture(width, height);
   frame_ = drawn_->picture.frame(moment());
   if (camera_) frame_.camera = *camera_;
   const auto& grip = mouse_.grip();
@@ -255,7 +256,8 @@ const render::Frame& Workbench::frame(int width, int height) {
     const sim::Vec3 target = pull_to_ ? pull_to_->target : session_->pull()->target;
     const sim::Vec3 now =
         place_of(*session_->simulation()->system, session_->state(), grip->picked.body, grip->picked.node);
-    frame_.arrows.push_back({to_point(now), to_point(target)});
+    const sim::Vec3& origin = drawn_->picture.origin();
+    frame_.arrows.push_back({to_point(now - origin), to_point(target - origin)});
   }
   return frame_;
 }

@@ -58,7 +58,7 @@ class Workbench {
   bool reload();
   void turn_page(std::ptrdiff_t by);
   void save();
-  void refresh_picture(double aspect);
+  void refresh_picture(int width, int height);
   // A name that is not taken: START-1END, START-2END, ...
   static std::filesystem::path free_name(const std::filesystem::path& start, const std::string& end);
 
@@ -80,7 +80,7 @@ class Workbench {
   FrameHistory frames_;                      // the energies and colours of the frames so far
   LargestShown largest_{};                   // the largest value of each kind that they have shown in colour
   std::unique_ptr<const ShownScene> drawn_;  // makes frames of a simulation
-  double aspect_ = 0;                        // width over height of the picture that drawn_ was made for
+  std::array<int, 2> size_{};                // pixels of the picture that drawn_ was made for
   std::shared_ptr<const Simulation> shown_;  // the simulation of now; where only the camera has moved since drawn_
   std::optional<render::Camera>
       camera_;  // was made, it keeps the older one, and this camera replaces that of its frames

@@ -1,3 +1,5 @@
+#include "render/view.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,9 +30,7 @@ bool is_seen(const render::Camera& camera, const Vec3& point, double aspect) {
 TEST(View, AllIsSeenWhateverTheShapeOfThePicture) {
   for (const double aspect : {16.0 / 9, 1.0, 0.25}) {
     for (const Vec3& up : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)}) {
-      Camera camera;
-      camera.up = up;
-      const render::Camera view = view_of(camera, box, 3, aspect);
+      const render::Camera view = view_of({}, {.up = up}, box, 3, aspect);
       for (int i = 0; i < 8; ++i) {
         EXPECT_TRUE(is_seen(view, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)), aspect)) << aspect;
       }
@@ -44,7 +44,7 @@ TEST(View, WhatTheSceneNamesIsTaken) {
   camera.eye = Vec3(2, 0.5, 7);
   camera.target = Vec3(2, 0, 0.5);
   camera.fov = 50;
-  const render::Camera view = view_of(camera, box, 3, 1.5);
+  const render::Camera view = view_of(camera, {}, box, 3, 1.5);
   EXPECT_EQ(view.eye, (render::Point{2, 0.5F, 7}));
   EXPECT_EQ(view.target, (render::Point{2, 0, 0.5F}));
   EXPECT_FLOAT_EQ(view.field_of_view, 50);
@@ -53,30 +53,23 @@ TEST(View, WhatTheSceneNamesIsTaken) {
 
 TEST(View, AWidePlaneSceneFitsInWidth) {
   const Eigen::AlignedBox3d wide{Vec3(0, 0, 0), Vec3(8, 1, 0)};
-  const render::Camera view = view_of({}, wide, 2, 2.0);
+  const render::Camera view = view_of({}, {}, wide, 2, 2.0);
   EXPECT_TRUE(view.orthographic);
   EXPECT_EQ(view.target, (render::Point{4, 0.5F, 0}));
   EXPECT_FLOAT_EQ(view.height, 5);  // 8 m and a quarter more, over the aspect
 }
 
-TEST(View, TheFloorIsBelowTheLowestPoint) {
-  Look look;
-  const auto ground = ground_of(look, Vec3(0, 0, 1), box, {});
-  EXPECT_NEAR(ground->point[2], 2 - 0.004, 1e-6);
-  look.ground_height = -5;
-  EXPECT_FLOAT_EQ(ground_of(look, Vec3(0, 1, 0), box, {})->point[1], -5);
-  look.ground = false;
-  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), box, {}).has_value());
-}
-
-TEST(View, AnObstacleThatIsAFloorIsTheFloor) {
-  const std::vector<sim::Obstacle> floor = {{sim::Plane{{0, -2, 0}, {0, 1, 0}}}};
-  const std::vector<sim::Obstacle> wall = {{sim::Plane{{-2, 0, 0}, {1, 0, 0}}}};
-  Look look;
-  EXPECT_FALSE(ground_of(look, Vec3(0, 1, 0), box, floor).has_value());
-  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), box, wall).has_value());
-  look.ground_height = -3;
-  EXPECT_TRUE(ground_of(look, Vec3(0, 1, 0), box, floor).has_value());
+TEST(View, APartOfThePictureShowsWhatAllOfItWould) {
+  render::Camera view = view_of({}, {}, box, 3, 1.5), part = view;
+  place_in({0.5, 0.25, 1, 0.75}, 1.5, part);
+  const render::View all = render::make_view(view, 1.5F, {}), right = render::make_view(part, 1.5F, {});
+  const Eigen::Vector3f middle = box.center().cast<float>();
+  EXPECT_NEAR(all.to_window(middle, 300, 200).x(), 150, 0.5);
+  EXPECT_NEAR(right.to_window(middle, 300, 200).x(), 225, 0.5);
+  EXPECT_NEAR(right.to_window(middle, 300, 200).y(), 100, 0.5);
+  const Eigen::Vector3f up = middle + 0.1F * all.up;
+  EXPECT_NEAR((all.to_window(middle, 300, 200) - all.to_window(up, 300, 200)).norm(),
+              2 * (right.to_window(middle, 300, 200) - right.to_window(up, 300, 200)).norm(), 0.2);
 }
 
 }  // namespace

@@ -38,6 +38,14 @@ TEST(Ticks, LargeAndSmallNumbersHaveExponents) {
   EXPECT_EQ(render::tick_labels({0, 2e-5}), (Labels{"0", "2e-05"}));
 }
 
+TEST(Ticks, NumbersFarFromZeroAreCountedFromARoundOne) {
+  EXPECT_EQ(render::tick_offset({408200, 408201, 408202}), 408200);
+  EXPECT_EQ(render::tick_offset({-408202, -408201, -408200}), -408210);
+  EXPECT_EQ(render::tick_offset({0, 1, 2}), 0);
+  EXPECT_EQ(render::tick_offset({1000, 1001}), 0);
+  EXPECT_EQ(render::tick_offset({5e6}), 0);
+}
+
 TEST(Ticks, RoundLengths) {
   EXPECT_DOUBLE_EQ(render::round_length(1), 1);
   EXPECT_DOUBLE_EQ(render::round_length(4.9), 2);

@@ -42,7 +42,11 @@ std::vector<Key> stage_keys() {
       {"look.ground", Form(Kind::boolean).only_in(3), field<look_of, &Look::ground>,
        "Draw a floor, on which shadows fall. It holds nothing: bodies fall through it unless there is an obstacle."},
       {"look.ground_height",
-       Form(Kind::number, "m").only_in(3).otherwise("below the lowest body; no floor over an obstacle that is one"),
+       Form(Kind::number, "m")
+           .only_in(3)
+           .otherwise(
+               "below the lowest body and obstacle; no floor over an obstacle that is one, nor below bodies that "
+               "nothing holds"),
        field<look_of, &Look::ground_height>, "Height of the floor along camera.up."},
       {"look.obstacles", Kind::boolean, field<look_of, &Look::obstacles>, "Draw the obstacles."},
   };

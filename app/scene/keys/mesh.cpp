@@ -20,15 +20,34 @@ constexpr Binding generator = {[](const Document& d, const Indices& i) {
                                  from_value(value, mesh_of(d, i).lengths);
                                }};
 
-constexpr Binding file = {[](const Document& d, const Indices& i) {
-                            const MeshSpec& mesh = mesh_of(d, i);
-                            return mesh.source == MeshSource::file ? std::optional<Value>(to_value(mesh.file))
-                                                                   : std::nullopt;
-                          },
-                          [](Document& d, const Indices& i, const Value& value) {
-                            mesh_of(d, i).source = MeshSource::file;
-                            from_value(value, mesh_of(d, i).file);
-                          }};
+template <MeshSource source>
+constexpr Binding mesh_file = {[](const Document& d, const Indices& i) {
+                                 const MeshSpec& mesh = mesh_of(d, i);
+                                 return mesh.source == source ? std::optional<Value>(to_value(mesh.file))
+                                                              : std::nullopt;
+                               },
+                               [](Document& d, const Indices& i, const Value& value) {
+                                 mesh_of(d, i).source = source;
+                                 from_value(value, mesh_of(d, i).file);
+                               }};
+
+constexpr Binding fill_size = {[](const Document& d, const Indices& i) {
+                                 const double size = mesh_of(d, i).size;
+                                 return size == 0 ? std::nullopt : std::optional<Value>(size);
+                               },
+                               field<mesh_of, &MeshSpec::size>.set};
+
+constexpr Binding worn_skin = {[](const Document& d, const Indices& i) {
+                                 const MeshSpec& mesh = mesh_of(d, i);
+                                 if (!mesh.skin_file.empty()) return std::optional<Value>(to_value(mesh.skin_file));
+                                 return mesh.wears_surface ? std::optional<Value>(true) : std::nullopt;
+                               },
+                               [](Document& d, const Indices& i, const Value& value) {
+                                 MeshSpec& mesh = mesh_of(d, i);
+                                 const bool* const wears = std::get_if<bool>(&value);
+                                 mesh.wears_surface = wears != nullptr && *wears;
+                                 mesh.skin_file = wears == nullptr ? std::get<std::string>(value) : "";
+                               }};
 
 // 0 stands for nodes that coincide; without the key none are joined.
 constexpr Binding merge = {[](const Document& d, const Indices& i) {
@@ -54,8 +73,16 @@ std::vector<Key> generator_keys() {
        generator<MeshSource::rectangle>, "A rectangle in a plane scene, from the origin to these lengths."},
       {"body[].mesh.sheet", Form(Kind::numbers, "m", above(0)).of_size(2, 2).otherwise("another source"),
        generator<MeshSource::sheet>, "A rectangular membrane in space, at z = 0."},
-      {"body[].mesh.file", Form(Kind::text).otherwise("another source"), file,
+      {"body[].mesh.file", Form(Kind::text).otherwise("another source"), mesh_file<MeshSource::file>,
        "A mesh file (app/mesh/README.md lists the formats); its path is relative to the scene file."},
+      {"body[].mesh.surface", Form(Kind::text).otherwise("another source"), mesh_file<MeshSource::surface>,
+       "A file of triangles around a solid, which is filled with tets; its path is relative to the scene file. Holes "
+       "are closed, and what shells share is filled once."},
+      {"body[].mesh.size", Form(Kind::number, "m", above(0)).otherwise("needed with surface"), fill_size,
+       "About the length of the edges that fill a surface. What is thinner is lost."},
+      {"body[].mesh.skin", Form(Kind::switch_or_text).otherwise("the body's own surface"), worn_skin,
+       "What the picture shows of a body of tets: true for the surface that was filled, or a file of triangles, which "
+       "the body carries along. Nothing else changes."},
       {"body[].mesh.cells", Form(Kind::integers, "", between(1, 10000)).otherwise("needed with box, rectangle, sheet"),
        per_axis<&MeshSpec::cells>,
        "Number of cells along each axis of a generated mesh; each cell is cut into triangles or tets where the element "
