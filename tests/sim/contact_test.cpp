@@ -268,6 +268,22 @@ TEST(Contact, ResumesToTheSameBits) {
   }
 }
 
+// The sharp edges of boxes that lie turned across each other carry most of the load between them.
+TEST(Contact, CrossingEdgesTakeFewIterations) {
+  Scene scene = test::two_boxes(4, 0.5);
+  scene.bodies[1] = test::box_body("top", {1, 1, 1}, 4, {0, 0, 0});
+  rotate(scene.bodies[1].mesh, {0, 1, 0}, 0.349);
+  translate(scene.bodies[1].mesh, {0.1, 1.5, 0.15});
+  test::Stepped run(scene);
+  int most = 0;
+  for (int k = 0; k < 40; ++k) {
+    run.steps(1);
+    most = std::max(most, run.last.newton);
+    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << k;
+  }
+  EXPECT_LT(most, 25);
+}
+
 // Whatever solves the linear systems, which see pairs that no element couples.
 TEST(Contact, SolversAgree) {
   Scene scene = test::two_boxes(2, 0.005);
