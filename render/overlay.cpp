@@ -106,8 +106,10 @@ void Overlay::draw_labels(const Frame& frame, const View& view, ImVec2 legend) c
     float top = std::max(at.y() - 1.9F * page_.size, highest) - pad / 2;
     const float end = top + height > legend.y ? legend.x : page_.width;
     const float x = std::clamp(at.x(), std::min(half, end / 2), std::max(end - half, end / 2));
+    // What only touches, but for round-off, does not cover: it could not be moved any further.
     const auto covers = [&](const ImVec4& other) {
-      return x - half < other.z && x + half > other.x && top < other.w && top + height > other.y;
+      constexpr float touch = 0.1F;  // pixels
+      return x - half < other.z && x + half > other.x && top + touch < other.w && top + height > other.y + touch;
     };
     bool down = false;
     for (auto other = taken.begin(); other != taken.end();) {
