@@ -51,7 +51,10 @@ Box room_for(const Contents& contents, int width, int height) {
   if (contents.look.axes) bottom = axes_below * size;
   if (contents.strips > 0) bottom = std::max(bottom, margin + strip_height(size, h));
   if (contents.look.scale_bar) bottom += scale_bar_height * size;
-  if (contents.caption && contents.strips == 0 && !contents.look.scale_bar) bottom += margin + 1.2 * size;
+  // Where it does not fit beside strips it stands above them.
+  const double strips = contents.strips * (std::min(20 * size, 0.5 * w) + margin);
+  const bool beside = strips > 0 && width_of(contents.caption, size) <= w - strips - left - 2 * margin;
+  if (!contents.caption.empty() && !beside) bottom += margin + 1.2 * size;
   Box room{left / w, top / h, 1 - right / w, 1 - bottom / h};
   keep_open(room.left, room.right);
   keep_open(room.top, room.bottom);

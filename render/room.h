@@ -10,8 +10,8 @@ namespace render {
 // What stands around the bodies, the same in every frame of a run.
 struct Contents {
   std::string title = {};
-  bool caption = false;
-  bool labels = false;  // above bodies
+  std::string caption = {};  // about as long as it will be
+  bool labels = false;       // above bodies
   int strips = 0;
   std::string legend = {};  // its heading; empty: no legend
   Look look = {};

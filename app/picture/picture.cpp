@@ -85,7 +85,7 @@ Picture::Picture(const sim::System& system, const Document& document, int width,
   const auto shown = quantity(look.colour);
   if (shown) expected_reach_ = expected_reach(*shown, document.scene);
   render::Contents contents{.title = document.title, .look = still_.look};
-  contents.caption = !look.caption.empty();
+  contents.caption = look.caption;
   contents.labels = shows_labels();
   contents.strips = look.energies ? 1 : 0;
   if (shown) contents.legend = colour_range(*shown, look, expected_reach_).scale.label;

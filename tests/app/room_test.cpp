@@ -90,7 +90,8 @@ TEST_F(Room, NothingCoversTheBodies) {
 
 TEST_F(Room, IsSmallerTheMoreStandsAroundIt) {
   const render::Box bare = render::room_for({}, 1920, 1080);
-  render::Contents full{.title = "title", .caption = true, .labels = true, .strips = 1, .legend = "von Mises stress"};
+  render::Contents full{
+      .title = "title", .caption = "t = 1 s", .labels = true, .strips = 1, .legend = "von Mises stress"};
   full.look.axes = full.look.scale_bar = true;
   const render::Box room = render::room_for(full, 1920, 1080), small = render::room_for(full, 320, 180);
   EXPECT_LT(bare.left, room.left);
