@@ -103,12 +103,11 @@ render::Camera view_of(const Camera& camera, const Stand& stand, const Eigen::Al
 void place_in(const render::Box& part, double aspect, render::Camera& camera) {
   const double share = std::min(part.right - part.left, part.bottom - part.top);
   const auto vector = [](const render::Point& p) { return Vec3(p[0], p[1], p[2]); };
-  const Vec3 arm = vector(camera.eye) - vector(camera.target);
+  Vec3 arm = vector(camera.eye) - vector(camera.target);
   double extent = camera.height / share;  // visible height at the target, m
   if (!camera.orthographic) {
-    const double half = std::tan(camera.field_of_view * std::numbers::pi / 360) / share;
-    camera.field_of_view = static_cast<float>(2 * std::atan(half) * 180 / std::numbers::pi);
-    extent = 2 * half * arm.norm();
+    arm /= share;
+    extent = 2 * std::tan(camera.field_of_view * std::numbers::pi / 360) * arm.norm();
   }
   const Vec3 right = vector(camera.up).cross(arm).normalized(), up = arm.cross(right).normalized();
   const Vec3 shift = (0.5 - (part.left + part.right) / 2) * aspect * extent * right -

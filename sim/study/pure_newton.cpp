@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/build/parts.h"
-#include "sim/solve/tangent_operator.h"
 #include "sim/linear/sparse.h"
+#include "sim/solve/tangent_operator.h"
 
 namespace sim {
 

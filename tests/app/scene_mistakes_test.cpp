@@ -263,7 +263,7 @@ TEST_F(SceneFile, RefusalsOfTheSimulatorAreLocated) {
   EXPECT_EQ(text("body.0.pin.0.group"), "scene.toml:3: body.0.pin.0.group = \"left\": is wrong");
   EXPECT_EQ(text("body.0.pin.0"), "scene.toml:3: body.0.pin.0: is wrong");
   EXPECT_EQ(text("body.0.material.young"), "scene.toml:1: body.0.material.young: is wrong");
-  EXPECT_EQ(text("body.0.mesh.size"), "scene.toml:2: body.0.mesh: is wrong");
+  EXPECT_EQ(text("body.0.mesh.nothing"), "scene.toml:2: body.0.mesh: is wrong");
   EXPECT_EQ(text("time.integrator"), "scene.toml: time.integrator: is wrong");
   EXPECT_EQ(text("nonsense"), "scene.toml: is wrong");
 }

@@ -3,11 +3,11 @@
 #include <Eigen/SparseCholesky>
 
 #include "sim/build/parts.h"
+#include "sim/linear/sparse.h"
 #include "sim/material/lame.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/geometry.h"
 #include "sim/solve/tangent_operator.h"
-#include "sim/linear/sparse.h"
 #include "tests/sim/stepping.h"
 
 namespace sim {
