@@ -16,18 +16,18 @@ Grip number_grip(std::size_t diagram, const render::Spot& at, std::vector<double
           }};
 }
 
-std::vector<std::unique_ptr<Exhibit>> make_exhibits(const Document& document, const sim::System& system) {
-  std::vector<std::unique_ptr<Exhibit>> all;
+Exhibits make_exhibits(const Document& document, std::shared_ptr<const sim::System> system) {
+  Exhibits made{std::move(system), document.exhibits, {}};
   for (std::size_t k = 0; k < document.exhibits.size(); ++k) {
     const ExhibitSpec& spec = document.exhibits[k];
     try {
-      all.push_back(find_exhibit_kind(spec.kind)->make({document.scene, system, spec, document.folder}));
+      made.all.push_back(find_exhibit_kind(spec.kind)->make({document.scene, *made.system, spec, document.folder}));
     } catch (const sim::InputError& error) {
       const sim::InputError whole("exhibit." + std::to_string(k) + "." + error.key, error.what());
       throw SceneError(located(whole, document.places).message);
     }
   }
-  return all;
+  return made;
 }
 
 }  // namespace app

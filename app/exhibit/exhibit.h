@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,18 @@ class Exhibit {
   virtual std::vector<Grip> grips(const sim::State&) const { return {}; }
 };
 
-// Those of a document. Throws SceneError where one has not what it shows.
-std::vector<std::unique_ptr<Exhibit>> make_exhibits(const Document& document, const sim::System& system);
+// The exhibits of a document, and what they were made from.
+struct Exhibits {
+  std::shared_ptr<const sim::System> system = nullptr;
+  std::vector<ExhibitSpec> specs = {};
+  std::vector<std::unique_ptr<Exhibit>> all = {};
+
+  bool are_of(const Document& document, const std::shared_ptr<const sim::System>& its) const {
+    return system == its && specs == document.exhibits;
+  }
+};
+
+// Throws SceneError where one has not what it shows.
+Exhibits make_exhibits(const Document& document, std::shared_ptr<const sim::System> system);
 
 }  // namespace app

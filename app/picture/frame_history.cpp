@@ -19,34 +19,33 @@ FrameHistory::FrameHistory(const Simulation& simulation, std::vector<Energies> b
   if (shows_energies_) energies_ = std::move(before);
 }
 
-void FrameHistory::follow(const Simulation& simulation) {
+void FrameHistory::follow(const Simulation& simulation, Exhibits made) {
   system_ = simulation.system.get();
   coloured_ = free_range(simulation.document.look);
   shows_energies_ = simulation.document.look.energies;
   if (!shows_energies_) energies_.clear();
-  follow_exhibits(simulation);
+  follow_exhibits(simulation, std::move(made));
 }
 
 // Anew where the system is another, or what they are to show; a curve of the same numbers goes on.
-void FrameHistory::follow_exhibits(const Simulation& simulation) {
-  if (exhibited_ == simulation.system && specs_ == simulation.document.exhibits) return;
-  std::vector<std::unique_ptr<Exhibit>> next = make_exhibits(simulation.document, *simulation.system);
-  for (std::size_t k = 0; k < std::min(next.size(), exhibits_.size()); ++k) {
-    Trace *const before = exhibits_[k]->trace(), *const now = next[k]->trace();
+void FrameHistory::follow_exhibits(const Simulation& simulation, Exhibits made) {
+  if (exhibits_.are_of(simulation.document, simulation.system)) return;
+  if (!made.are_of(simulation.document, simulation.system))
+    made = make_exhibits(simulation.document, simulation.system);
+  for (std::size_t k = 0; k < std::min(made.all.size(), exhibits_.all.size()); ++k) {
+    Trace *const before = exhibits_.all[k]->trace(), *const now = made.all[k]->trace();
     if (before != nullptr && now != nullptr && before->names() == now->names()) *now = *before;
   }
-  exhibits_ = std::move(next);
-  exhibited_ = simulation.system;
-  specs_ = simulation.document.exhibits;
+  exhibits_ = std::move(made);
 }
 
 std::vector<Ring> FrameHistory::rings(const sim::State& state) const {
   std::vector<Ring> all;
   render::Sheet sheet;
-  for (std::size_t k = 0; k < exhibits_.size(); ++k) {
+  for (std::size_t k = 0; k < exhibits_.all.size(); ++k) {
     const std::size_t first = sheet.diagrams.size();
-    exhibits_[k]->show(state, sheet);
-    for (Grip& grip : exhibits_[k]->grips(state)) {
+    exhibits_.all[k]->show(state, sheet);
+    for (Grip& grip : exhibits_.all[k]->grips(state)) {
       const render::Diagram& diagram = sheet.diagrams[first + grip.diagram];
       all.push_back({"exhibit." + std::to_string(k) + "." + grip.key, std::move(grip), diagram});
     }
@@ -54,8 +53,8 @@ std::vector<Ring> FrameHistory::rings(const sim::State& state) const {
   return all;
 }
 
-void FrameHistory::revise(const Simulation& simulation, const sim::State& state, LargestShown& largest) {
-  follow(simulation);
+void FrameHistory::revise(const Simulation& simulation, const sim::State& state, LargestShown& largest, Exhibits made) {
+  follow(simulation, std::move(made));
   const double t = system_->time(state.step);
   std::erase_if(energies_, [&](const Energies& frame) { return frame.t > t; });
   for (Trace* trace : traces()) trace->cut(t);
@@ -64,7 +63,7 @@ void FrameHistory::revise(const Simulation& simulation, const sim::State& state,
 
 std::vector<Trace*> FrameHistory::traces() const {
   std::vector<Trace*> all;
-  for (const auto& exhibit : exhibits_)
+  for (const auto& exhibit : exhibits_.all)
     if (Trace* trace = exhibit->trace(); trace != nullptr) all.push_back(trace);
   return all;
 }
@@ -74,7 +73,7 @@ void FrameHistory::add(const sim::State& state, LargestShown& largest) {
     double& reach = largest[static_cast<std::size_t>(*coloured_)];
     reach = std::max(reach, reach_of(*coloured_, system_->node_values(state, *coloured_)));
   }
-  for (const auto& exhibit : exhibits_) exhibit->note(state);
+  for (const auto& exhibit : exhibits_.all) exhibit->note(state);
   if (!shows_energies_) return;
   const Energies now = energies_of(*system_, state);
   std::erase_if(energies_, [&](const Energies& other) { return other.t >= now.t; });
@@ -84,9 +83,9 @@ void FrameHistory::add(const sim::State& state, LargestShown& largest) {
 void FrameHistory::fill(const LargestShown& largest, Moment& moment) const {
   if (coloured_) moment.largest = largest[static_cast<std::size_t>(*coloured_)];
   moment.energies = energies_;
-  if (exhibits_.empty()) return;
+  if (exhibits_.all.empty()) return;
   moment.sheet.emplace();
-  for (const auto& exhibit : exhibits_) exhibit->show(moment.state, *moment.sheet);
+  for (const auto& exhibit : exhibits_.all) exhibit->show(moment.state, *moment.sheet);
 }
 
 }  // namespace app

@@ -27,10 +27,11 @@ class FrameHistory {
   FrameHistory(const Simulation& simulation, std::vector<Energies> before);
 
   // From now on frames are of this simulation. Throws SceneError where an exhibit has not what it shows.
-  void follow(const Simulation& simulation);
+  // made: exhibits that are taken where they are those of the simulation.
+  void follow(const Simulation& simulation, Exhibits made = {});
   // After an input of a session: the simulation may be another, the state an earlier one. Frames later than it are
   // forgotten; where it is at one, that is taken in anew.
-  void revise(const Simulation& simulation, const sim::State& state, LargestShown& largest);
+  void revise(const Simulation& simulation, const sim::State& state, LargestShown& largest, Exhibits made = {});
   // Takes the next frame in (one that is earlier than others replaces them), and its largest value into `largest`,
   // which is saved with the state.
   void add(const sim::State& state, LargestShown& largest);
@@ -42,14 +43,12 @@ class FrameHistory {
   std::vector<Ring> rings(const sim::State& state) const;
 
  private:
-  void follow_exhibits(const Simulation& simulation);
+  void follow_exhibits(const Simulation& simulation, Exhibits made);
 
   const sim::System* system_ = nullptr;
   std::optional<sim::Quantity> coloured_;  // whose range comes from the values
   bool shows_energies_ = false;
-  std::shared_ptr<const sim::System> exhibited_;  // that the exhibits were made for
-  std::vector<ExhibitSpec> specs_;                // and of these
-  std::vector<std::unique_ptr<Exhibit>> exhibits_;
+  Exhibits exhibits_;
   std::vector<Energies> energies_;
 };
 

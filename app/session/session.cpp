@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/exhibit/exhibit.h"
 #include "app/scene/value_text.h"
 #include "app/session/pull.h"
 #include "sim/stepper.h"
@@ -96,11 +95,11 @@ void Session::handle(const SetKey& input) {
   std::vector<Override> overrides = with(overrides_, added);
   Document document = read(overrides);
   if (effect == Effect::look) {
-    make_exhibits(document, *simulation_->system);  // refused now rather than in a picture
+    exhibits_ = make_exhibits(document, simulation_->system);  // refused now rather than in a picture
     show(document);
   } else {
     std::shared_ptr<const Simulation> next = build(document, pull_);
-    make_exhibits(document, *next->system);
+    exhibits_ = make_exhibits(document, next->system);
     go_on_with(std::move(next));
   }
   document_ = std::move(document);

@@ -7,8 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/exhibit/exhibit.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/simulation.h"
 #include "app/session/history.h"
@@ -38,6 +40,8 @@ class Session {
   // The spring of the mouse, while it pulls.
   const std::optional<sim::Spring>& pull() const { return pull_; }
   std::size_t history() const { return history_.size(); }
+  // Those that the last change of a key was tried with, so that pictures need not make them again.
+  Exhibits take_exhibits() { return std::exchange(exhibits_, {}); }
 
  private:
   void handle(const SetKey& input);
@@ -65,6 +69,7 @@ class Session {
   std::optional<sim::Spring> pull_;
 
   Document document_;
+  Exhibits exhibits_;
   std::shared_ptr<const Simulation> simulation_, next_;  // next_: waits for a time that its steps reach exactly
   std::unique_ptr<sim::Stepper> stepper_;                // of simulation_
   sim::State state_;

@@ -154,7 +154,7 @@ void Workbench::apply(const Input& input) {
     return;
   }
   message_.clear();
-  frames_.revise(*session_->simulation(), session_->state(), largest_);
+  frames_.revise(*session_->simulation(), session_->state(), largest_, session_->take_exhibits());
   if (record_) record_->write(event);
   const auto* move = std::get_if<MoveCamera>(&input);
   if (move == nullptr) return;

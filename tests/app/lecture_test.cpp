@@ -226,7 +226,7 @@ TEST(LecturePages, FollowTheSceneThatTheyAreGiven) {
   options.overrides = {{"body.0.material.model", "linear", "--set"}};
   const Simulation simulation = build_simulation(options);
   render::Sheet sheet;
-  make_exhibits(simulation.document, *simulation.system)[0]->show(simulation.system->initial_state(), sheet);
+  make_exhibits(simulation.document, simulation.system).all[0]->show(simulation.system->initial_state(), sheet);
   EXPECT_EQ(sheet.proof.text, "24399.038");
 }
 
@@ -305,7 +305,7 @@ TEST(LecturePages, NeedNoBody) {
   }
   write_all(file, "[[exhibit]]\nkind = \"x-ray\"\n");
   const Simulation without = build_simulation(page(file));
-  const std::string error = error_of([&] { make_exhibits(without.document, *without.system); });
+  const std::string error = error_of([&] { make_exhibits(without.document, without.system); });
   EXPECT_NE(error.find(":2: exhibit.0.kind"), std::string::npos) << error;
   EXPECT_NE(error.find("there is none"), std::string::npos) << error;
 }
@@ -329,7 +329,7 @@ TEST(LecturePages, KeysOfOtherExhibitsAreRefused) {
     write_all(folder / "scene.toml", scene + more);
     return error_of([&] {
       const Simulation simulation = build_simulation(page(folder / "scene.toml"));
-      make_exhibits(simulation.document, *simulation.system);
+      make_exhibits(simulation.document, simulation.system);
     });
   };
   EXPECT_EQ(error(""), "");
