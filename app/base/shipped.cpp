@@ -7,9 +7,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scenes_folder() {
-  const fs::path folder = shipped_folder();
-  return folder.empty() ? fs::path() : folder / "scenes";
+constexpr const char* deck = "lectures";  // a folder whose files are pages
+
+void add_scenes(const fs::path& folder, const std::string& before, std::vector<std::string>& names) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+    if (entry.path().extension() == ".toml") names.push_back(before + entry.path().stem().string());
 }
 
 }  // namespace
@@ -25,13 +28,12 @@ fs::path shipped_folder() {
 }
 
 std::vector<std::string> shipped_scenes() {
-  const fs::path folder = scenes_folder();
+  const fs::path folder = shipped_folder();
   std::vector<std::string> names;
   if (folder.empty()) return names;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() != ".toml") continue;
-    names.push_back(entry.path().lexically_relative(folder).replace_extension().generic_string());
-  }
+  add_scenes(folder / "scenes", "", names);
+  add_scenes(folder / "scenes/benchmarks", "benchmarks/", names);
+  add_scenes(folder / deck, deck + std::string("/"), names);
   // Those of a folder after those beside it.
   std::ranges::sort(names, {}, [](const std::string& name) {
     return std::pair(std::ranges::count(name, '/'), std::string_view(name));
@@ -41,11 +43,14 @@ std::vector<std::string> shipped_scenes() {
 
 fs::path find_scene(const fs::path& scene) {
   std::error_code none;
-  const fs::path folder = scenes_folder();
-  if (folder.empty() || scene.empty() || scene.is_absolute() || fs::is_regular_file(scene, none)) return scene;
-  fs::path shipped = folder / scene;
-  shipped += ".toml";
-  return fs::is_regular_file(shipped, none) ? shipped : scene;
+  const fs::path folder = shipped_folder();
+  if (folder.empty() || scene.empty() || scene.is_absolute() || fs::exists(scene, none)) return scene;
+  if (scene == deck) return folder / deck;
+  for (fs::path shipped : {folder / "scenes" / scene, folder / scene}) {
+    shipped += ".toml";
+    if (fs::is_regular_file(shipped, none)) return shipped;
+  }
+  return scene;
 }
 
 }  // namespace app

@@ -11,11 +11,11 @@ namespace app {
 // for build/ritz. Empty where there is neither.
 std::filesystem::path shipped_folder();
 
-// The bare names of the scenes, in order: "bear", "benchmarks/cook".
+// The bare names of the scenes, in order: "bear", "benchmarks/cook", "lectures/09-x-ray".
 std::vector<std::string> shipped_scenes();
 
-// The file of a scene that is called by a bare name, unless there is a file of this name. Everything else is returned
-// as it is.
+// The file of a scene that is called by a bare name, or the folder of the lecture for "lectures", unless there is a
+// file or a folder of this name. Everything else is returned as it is.
 std::filesystem::path find_scene(const std::filesystem::path& scene);
 
 }  // namespace app

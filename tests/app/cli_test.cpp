@@ -191,6 +191,8 @@ TEST(CommandLine, AShippedSceneIsFoundByItsBareName) {
   EXPECT_EQ(read_all(scene("bear")), read_all(std::filesystem::path(RITZ_SOURCE_DIR) / "assets/scenes/bear.toml"));
   EXPECT_TRUE(std::filesystem::exists(scene("benchmarks/cook")));
   EXPECT_EQ(scene("no-such-scene"), "no-such-scene");
+  EXPECT_TRUE(std::filesystem::exists(scene("lectures/09-x-ray")));
+  EXPECT_TRUE(std::filesystem::is_directory(scene("lectures")));
   const std::vector<std::string> names = shipped_scenes();
   EXPECT_NE(std::ranges::find(names, "bear"), names.end());
   EXPECT_LT(std::ranges::find(names, "twisted-beam"), std::ranges::find(names, "benchmarks/cook"));
