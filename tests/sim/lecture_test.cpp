@@ -5,7 +5,6 @@
 #include "sim/build/parts.h"
 #include "sim/stepper.h"
 #include "sim/study/acceleration.h"
-#include "sim/study/bar.h"
 #include "sim/study/body_motion.h"
 #include "sim/study/element_view.h"
 #include "sim/study/force_check.h"
@@ -277,46 +276,6 @@ TEST(Lecture, PathsOfNewtonOnALandscape) {
           << what;
     }
   }
-}
-
-// bar_frequencies.csv: L,E,rho,n,mode,exact_Hz,consistent_Hz,lumped_Hz,...
-TEST(Lecture, BarsRingAsTheirFormulasSay) {
-  std::ifstream file(std::string(RITZ_SOURCE_DIR) + "/tests/data/lecture/bar_frequencies.csv");
-  std::string line;
-  std::getline(file, line);
-  int rows = 0;
-  Eigen::VectorXd of_strip[2];
-  int cells = 0;
-  while (std::getline(file, line)) {
-    std::vector<double> v;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) v.push_back(std::stod(cell));
-    const int n = static_cast<int>(v[3]), k = static_cast<int>(v[4]);
-    const BarFrequencies bar = bar_frequencies(v[0], v[1], v[2], n, k);
-    constexpr double two_pi = 6.283185307179586;
-    EXPECT_NEAR(bar.exact / two_pi / v[5], 1, digits) << line;
-    EXPECT_NEAR(bar.consistent / two_pi / v[6], 1, digits) << line;
-    EXPECT_NEAR(bar.lumped / two_pi / v[7], 1, digits) << line;
-    if (n != cells) {
-      cells = n;
-      Scene scene;
-      scene.dimension = 2;
-      Body body;
-      body.mesh = generate_rectangle({v[0], 0.1}, {n, 1}, {1, 1}, ElementKind::quad4);
-      body.materials = {MaterialSpec{"linear", v[1], 0, v[2], ""}};
-      body.pins = {Pin{InGroup{"left"}, "xy", {}, {}, false}, Pin{Box{{-1, -1, -1}, {9, 1, 1}}, "y", {}, {}, false}};
-      for (const MassMatrix mass : {MassMatrix::consistent, MassMatrix::lumped}) {
-        body.mass = mass;
-        scene.bodies = {body};
-        of_strip[mass == MassMatrix::lumped] = bar_modes(scene, 0, n).omega / two_pi;
-      }
-    }
-    ASSERT_EQ(of_strip[0].size(), n);
-    EXPECT_NEAR(of_strip[0][k - 1] / v[6], 1, digits) << line;
-    EXPECT_NEAR(of_strip[1][k - 1] / v[7], 1, digits) << line;
-    ++rows;
-  }
-  EXPECT_GE(rows, 28);
 }
 
 // From noise the fastest mode grows 1.32658-fold in a step of 1.01 times the limit, and stays below the limit.
