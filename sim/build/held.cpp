@@ -68,8 +68,13 @@ Eigen::VectorXd held_components(const Model& model, const std::vector<Spring>& s
 Eigen::VectorXd load_at_start(const Model& model) {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(model.dofs());
   const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.dofs());
-  for (const auto& term : model.terms)
-    if (term->role() != Role::elastic) term->add_forces({model.x_start, v, 1e30, 0}, *term->make_store(1), f);
+  const Motion late{model.x_start, v, 1e30, 0};  // loads have risen
+  for (const auto& term : model.terms) {
+    if (term->role() == Role::elastic) continue;
+    const auto store = term->make_store(1);
+    term->begin_step(late, *store);
+    term->add_forces(late, *store, f);
+  }
   return f;
 }
 

@@ -24,7 +24,7 @@ class TangentOperator {
   // Terms freeze what they keep for a step.
   void begin_step(const Motion& start);
   bool lags() const;  // some term does
-  // Linearises every term at the motion; c [1/s^2]. f = -grad U (not restricted).
+  // Linearises every term at the motion, in the step that has begun; c [1/s^2]. f = -grad U (not restricted).
   void linearise(const Motion& motion, double c, Definiteness fix, Eigen::VectorXd& f);
   // Where that was, while the vectors of the step's beginning live.
   const Linearisation& linearisation() const { return *where_; }

@@ -56,6 +56,7 @@ ProductCheck check_product(const System& system, const State& state, const Eigen
   tangent.free().setOnes();
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.dofs());
   Eigen::VectorXd f(model.dofs()), Kdx(model.dofs());
+  tangent.begin_step({state.x, still, 0, 0});
   tangent.linearise({state.x, still, 0, 0}, 0, Definiteness::none, f);
   BlockMatrix K(*model.pattern, model.D);
   tangent.assemble(K);

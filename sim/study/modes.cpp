@@ -51,6 +51,7 @@ struct Pencil {
     free = tangent.free();
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.dofs());
     Eigen::VectorXd f(model.dofs());
+    tangent.begin_step({model.X, still, 0, 0});
     tangent.linearise({model.X, still, 0, 0}, 0, Definiteness::none, f);
     BlockMatrix stiffness(*model.pattern, model.D), mass(*model.pattern, model.D);
     tangent.assemble(stiffness);

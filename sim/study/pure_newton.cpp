@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/build/parts.h"
-#include "sim/linear/sparse.h"
 #include "sim/solve/tangent_operator.h"
 
 namespace sim {
@@ -19,6 +18,7 @@ class Landscape {
   explicit Landscape(const System& system)
       : model_(parts_of(system).model), tangent_(model_, 1), still_(Eigen::VectorXd::Zero(model_.dofs())) {
     model_.pins.mark(0, tangent_.free());
+    tangent_.begin_step({model_.X, still_, 0, 0});
   }
 
   double energy(const Eigen::VectorXd& x) { return tangent_.energy({x, still_, 0, 0}); }
@@ -30,9 +30,7 @@ class Landscape {
   Local at(const Eigen::VectorXd& x, Definiteness fix) {
     Eigen::VectorXd f(model_.dofs());
     tangent_.linearise({x, still_, 0, 0}, 0, fix, f);
-    BlockMatrix K(*model_.pattern, model_.D);
-    tangent_.assemble(K);
-    return {free_of(f), Eigen::MatrixXd(free_part(K, tangent_.free()))};
+    return {free_of(f), stiffness()};
   }
 
   Eigen::VectorXd free_of(const Eigen::VectorXd& whole) const {
@@ -51,6 +49,18 @@ class Landscape {
   double noise() const { return 1e-15 * model_.energy_scale; }
 
  private:
+  // Column by column, so that the system need not form a matrix.
+  Eigen::MatrixXd stiffness() const {
+    const auto count = static_cast<Eigen::Index>(tangent_.free().sum());
+    Eigen::MatrixXd K(count, count);
+    Eigen::VectorXd column(model_.dofs());
+    for (Eigen::Index j = 0; j < count; ++j) {
+      tangent_.multiply(moved(still_, Eigen::VectorXd::Unit(count, j)), column);
+      K.col(j) = free_of(column);
+    }
+    return K;
+  }
+
   const Model& model_;
   TangentOperator tangent_;
   Eigen::VectorXd still_;

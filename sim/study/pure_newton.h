@@ -23,7 +23,7 @@ struct NewtonPath {
 };
 
 // Without a fix full steps are taken. With one, steps are halved until U(x + s dx) <= U(x) + 1e-4 s g.dx [Armijo]. Ends
-// when max |dx| is below 1e-9 of the body's size, or after 50 iterations. The system must form a matrix.
+// when max |dx| is below 1e-9 of the body's size, or after 50 iterations.
 NewtonPath pure_newton(const System& system, const Eigen::VectorXd& start, Definiteness fix);
 
 // U of all terms at rest [J].

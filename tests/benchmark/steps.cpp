@@ -24,6 +24,7 @@ struct Factored {
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(x.size());
     parts_of(system).model.pins.mark(0, tangent.free());
     Eigen::VectorXd f(x.size());
+    tangent.begin_step({x, still, 0, 0});
     tangent.linearise({x, still, 0, 60}, 3600, sim::Definiteness::clamp, f);
     tangent.assemble(matrix);
     cholesky.analyse(matrix, tangent.free());

@@ -53,6 +53,7 @@ double error(const test::Kind& kind, int cells) {
   TangentOperator tangent(parts, 1);
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(parts.dofs());
   Eigen::VectorXd f(parts.dofs());
+  tangent.begin_step({parts.X, still, 0, 0});
   tangent.linearise({parts.X, still, 0, 0}, 0, Definiteness::none, f);
   BlockMatrix K(*parts.pattern, D);
   tangent.assemble(K);

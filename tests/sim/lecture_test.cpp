@@ -278,6 +278,30 @@ TEST(Lecture, PathsOfNewtonOnALandscape) {
   }
 }
 
+// The landscape is that of U alone: neither damping nor what a step would be solved by has a part in it.
+TEST(Lecture, PathsOfNewtonDependOnThePotentialOnly) {
+  const Json reference = lecture_data("landscape.json").list[0];
+  Scene scene;
+  scene.dimension = 2;
+  Body body = single(reference["X"].matrix(), reference["model"].text, reference["E"].number, reference["nu"].number);
+  body.pins = {Pin{Box{{-0.1, -0.1, -1}, {1.1, 0.1, 1}}, "xyz", {}, {}, false}};
+  scene.bodies = {body};
+  scene.solver.linear = LinearSolverKind::cholmod;
+  const System with_matrix(scene);
+  scene.bodies[0].damping = {0.3, 0.1};
+  scene.time.integrator = "central-difference";
+  const System without_matrix(scene);
+  Eigen::VectorXd start = with_matrix.initial_state().x;
+  start.tail(2) = reference["start"].vector();
+  for (const Definiteness fix : {Definiteness::none, Definiteness::abs}) {
+    const NewtonPath a = pure_newton(with_matrix, start, fix), b = pure_newton(without_matrix, start, fix);
+    ASSERT_EQ(a.iterations(), b.iterations());
+    EXPECT_GT(a.iterations(), 3);
+    EXPECT_EQ(a.points.back(), b.points.back());
+    EXPECT_EQ(a.energy, b.energy);
+  }
+}
+
 // From noise the fastest mode grows 1.32658-fold in a step of 1.01 times the limit, and stays below the limit.
 TEST(Lecture, ExplicitStepsGrowBeyondTheLimitOnly) {
   EXPECT_NEAR(growth_per_step(1.01), 1.326584427, digits);

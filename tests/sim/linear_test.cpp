@@ -38,6 +38,7 @@ struct Bent {
     tangent.free() = free;
     Eigen::VectorXd f(model.dofs());
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.dofs());
+    tangent.begin_step({x, still, 0, 0});
     tangent.linearise({x, still, 0, 0}, mass, Definiteness::clamp, f);
     tangent.assemble(A);
   }

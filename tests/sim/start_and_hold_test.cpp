@@ -81,6 +81,20 @@ TEST(Held, ALoadThatHingesCannotHoldIsFound) {
   EXPECT_EQ(static_failure(scene), "");
 }
 
+TEST(Held, DampingIsNoLoad) {
+  Scene scene = beam("tet4", 1);
+  scene.time.integrator = "static";
+  const auto rest = [&] {
+    const System system(scene);
+    State state = system.initial_state();
+    EXPECT_EQ(make_stepper(system, 1)->step(state).failure, "");
+    return state.x;
+  };
+  const Eigen::VectorXd undamped = rest();
+  scene.bodies[0].damping = {0.3, 0.1};
+  EXPECT_EQ(rest(), undamped);
+}
+
 int remarks_naming(const Scene& scene, const std::string& part) {
   int count = 0;
   for (const std::string& remark : System(scene, 1).remarks()) count += remark.find(part) != std::string::npos;

@@ -32,6 +32,7 @@ class Structure : public ::testing::TestWithParam<Pair> {
     x_ = parts_of(system_).model.X + test::random_vector(n, 0.05, 3);
     p_ = test::random_vector(n, 1, 4);
     f_.resize(n);
+    tangent_.begin_step(at(x_));
   }
 
   Motion at(const Eigen::VectorXd& x) { return {x, still_, 0, 0}; }
