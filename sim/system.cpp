@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "sim/build/build.h"
+#include "sim/build/warnings.h"
 #include "sim/solve/linear_solver.h"
 #include "sim/time/stable_step.h"
 
@@ -33,7 +34,9 @@ std::span<const BodyRange> System::bodies() const {
   return parts_->model.ranges;
 }
 std::vector<std::string> System::remarks() const {
-  return parts_->remarks;
+  std::vector<std::string> all = warnings(*parts_);
+  all.insert(all.end(), parts_->remarks.begin(), parts_->remarks.end());
+  return all;
 }
 double System::stable_step() const {
   return sim::stable_step(parts_->model);

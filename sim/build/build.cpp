@@ -10,7 +10,6 @@
 #include "sim/build/key_path.h"
 #include "sim/build/loads.h"
 #include "sim/build/touching.h"
-#include "sim/build/warnings.h"
 #include "sim/element/element.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/input_error.h"
@@ -231,7 +230,6 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   check_start(model);
   if (parts->scheme->is_static)
     parts->no_equilibrium = moved_as_a_whole(model, scene.springs, !scene.obstacles.empty());
-  warn(*parts);
   settle_substeps(*parts);
   form_pattern(*parts);
   return parts;

@@ -22,8 +22,8 @@ struct Parts {
   Model model;
   const Scheme* scheme = nullptr;
   std::vector<ProbePlace> probes;
-  std::vector<std::string> remarks;
-  std::string no_equilibrium;  // statics: why there is none; empty: there may be one
+  std::vector<std::string> remarks;  // on what was settled while building
+  std::string no_equilibrium;        // statics: why there is none; empty: there may be one
 };
 
 const Parts& parts_of(const System& system);

@@ -11,6 +11,8 @@ namespace sim {
 
 namespace {
 
+using Remarks = std::vector<std::string>;
+
 // The mean extents of the elements along the axes of space [m].
 Eigen::VectorXd element_extents(const Mesh& mesh) {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(mesh.X.rows());
@@ -45,17 +47,17 @@ bool locks(const ElementInfo& element, double poisson) {
   return bending_excess(element.kind, block, poisson) - bending_excess(element.kind, block, usual) > noticed;
 }
 
-void warn_of_locking(Parts& parts, const Body& body) {
+void warn_of_locking(const Parts& parts, const Body& body, Remarks& remarks) {
   const ElementInfo& element = info(body.mesh.kind);
   constexpr double nearly_incompressible = 0.48;
   if (element.dimension < parts.model.D) return;
   for (const MaterialSpec& material : body.materials) {
     if (material.poisson < nearly_incompressible || !locks(element, material.poisson)) continue;
-    parts.remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
-                            ") and Poisson's ratio " + in_text(material.poisson) +
-                            ": it will bend too little (a block of two of them a side is " +
-                            percent(bending_excess(element.kind, {}, material.poisson)) +
-                            " too stiff); use element = \"" + better_element(element) + "\"");
+    remarks.push_back("locking: \"" + body.name + "\" has linear elements (" + std::string(element.name) +
+                      ") and Poisson's ratio " + in_text(material.poisson) +
+                      ": it will bend too little (a block of two of them a side is " +
+                      percent(bending_excess(element.kind, {}, material.poisson)) + " too stiff); use element = \"" +
+                      better_element(element) + "\"");
   }
 }
 
@@ -73,7 +75,7 @@ BentBlock piece_of(const Mesh& mesh, Eigen::Index along, Eigen::Index up) {
 
 // Linear elements answer a curvature with a shear that bending has not, which is the larger, the longer they are beside
 // the height of the body. [Cook et al. 2002, 6.6: parasitic shear]
-void warn_of_slender_bending(Parts& parts, const Body& body) {
+void warn_of_slender_bending(const Parts& parts, const Body& body, Remarks& remarks) {
   const ElementInfo& element = info(body.mesh.kind);
   const Eigen::VectorXd extent = body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff();
   Eigen::Index along = 0, up = 0;
@@ -83,45 +85,47 @@ void warn_of_slender_bending(Parts& parts, const Body& body) {
   const BentBlock piece = piece_of(body.mesh, along, up);
   const double excess = bending_excess(element.kind, piece, std::min(body.materials[0].poisson, usual));
   if (excess < noticed) return;
-  parts.remarks.push_back("locking: \"" + body.name + "\" is slender, and its elements (" + std::string(element.name) +
-                          ") are " + in_text(piece.lengths[0]) +
-                          " times as long as it is high: it will bend too little (a piece of it is " + percent(excess) +
-                          " too stiff); use element = \"" + better_element(element) + "\" or more cells");
+  remarks.push_back("locking: \"" + body.name + "\" is slender, and its elements (" + std::string(element.name) +
+                    ") are " + in_text(piece.lengths[0]) +
+                    " times as long as it is high: it will bend too little (a piece of it is " + percent(excess) +
+                    " too stiff); use element = \"" + better_element(element) + "\" or more cells");
 }
 
-void warn_of_nothing_to_move(Parts& parts) {
+void warn_of_nothing_to_move(const Parts& parts, Remarks& remarks) {
   if (parts.model.bodies.empty()) return;
   Eigen::VectorXd free(parts.model.dofs());
   parts.model.pins.mark(0, free);
   if (free.sum() == 0 && parts.model.pins.released(1e30) == 0)
-    parts.remarks.push_back("pins: every component of every node is prescribed, so nothing is left to move by itself");
+    remarks.push_back("pins: every component of every node is prescribed, so nothing is left to move by itself");
 }
 
 // lambda < 0 where nu < 0: lambda/2 (J - 1)^2 falls without end as J grows, lambda/2 ln(J)^2 as J -> 0.
-void warn_of_falling_energy(Parts& parts, const Body& body) {
+void warn_of_falling_energy(const Body& body, Remarks& remarks) {
   for (const MaterialSpec& material : body.materials)
     if (material.poisson < 0 && (material.model == "fixed-corotated" || material.model == "neo-hookean"))
-      parts.remarks.push_back("energy: with Poisson's ratio below 0 that of " + material.model +
-                              " has no least value, so \"" + body.name +
-                              "\" may run away when much deformed; stable-neo-hookean and corotated have one");
+      remarks.push_back("energy: with Poisson's ratio below 0 that of " + material.model +
+                        " has no least value, so \"" + body.name +
+                        "\" may run away when much deformed; stable-neo-hookean and corotated have one");
 }
 
-void warn_of_mass_solve(Parts& parts) {
+void warn_of_mass_solve(const Parts& parts, Remarks& remarks) {
   const auto consistent = [](const Mass& mass) { return !mass.lumped(); };
   if (parts.scheme->is_explicit() && std::any_of(parts.model.masses.begin(), parts.model.masses.end(), consistent))
-    parts.remarks.push_back("consistent mass in an explicit scheme: every step solves a linear system with M");
+    remarks.push_back("consistent mass in an explicit scheme: every step solves a linear system with M");
 }
 
 }  // namespace
 
-void warn(Parts& parts) {
+std::vector<std::string> warnings(const Parts& parts) {
+  Remarks remarks;
   for (const Body& body : parts.model.bodies) {
-    warn_of_locking(parts, body);
-    warn_of_slender_bending(parts, body);
-    warn_of_falling_energy(parts, body);
+    warn_of_locking(parts, body, remarks);
+    warn_of_slender_bending(parts, body, remarks);
+    warn_of_falling_energy(body, remarks);
   }
-  warn_of_mass_solve(parts);
-  warn_of_nothing_to_move(parts);
+  warn_of_mass_solve(parts, remarks);
+  warn_of_nothing_to_move(parts, remarks);
+  return remarks;
 }
 
 }  // namespace sim
