@@ -11,10 +11,6 @@ namespace {
 
 constexpr double swing = 1.1;  // how far a body may leave the first box, as a share of it, before the camera moves
 
-Vec3 to_vector(const render::Point& p) {
-  return {p[0], p[1], p[2]};
-}
-
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
@@ -129,8 +125,8 @@ render::Camera CameraPath::at(const sim::State& state) const {
   const double t = system_.time(state.step);
   const CameraPose pose = pose_at(camera_.keyframes, t);
   const Vec3 shift = followed_ != nullptr ? Vec3(middle_of_followed(state.x) - start_) : Vec3(Vec3::Zero());
-  const Vec3 target = to_vector(view.target) + shift;
-  Vec3 arm = to_vector(view.eye) - to_vector(view.target);
+  const Vec3 target = to_vec3(view.target) + shift;
+  Vec3 arm = to_vec3(view.eye) - to_vec3(view.target);
   if (!view.orthographic) arm = turned(arm, stand_.up, pose.turn + camera_.orbit * t, pose.tilt);
   view.target = to_point(target);
   view.eye = to_point(target + arm);

@@ -9,6 +9,7 @@
 #include "app/picture/colour_values.h"
 #include "app/picture/energies.h"
 #include "app/picture/stage.h"
+#include "render/view.h"
 
 namespace app {
 namespace {
@@ -168,9 +169,8 @@ void Picture::add_pins(const sim::State& state, render::Frame& frame) const {
 
 // Above the point that is highest on the screen, in the middle of the body.
 void Picture::add_labels(render::Frame& frame) const {
-  const auto vector = [](const render::Point& p) { return Eigen::Vector3f(p[0], p[1], p[2]); };
-  const Eigen::Vector3f ahead = (vector(frame.camera.target) - vector(frame.camera.eye)).normalized();
-  const Eigen::Vector3f world_up = vector(frame.camera.up);
+  const Eigen::Vector3f ahead = (render::to_vector(frame.camera.target) - render::to_vector(frame.camera.eye)).normalized();
+  const Eigen::Vector3f world_up = render::to_vector(frame.camera.up);
   const Eigen::Vector3f up = (world_up - world_up.dot(ahead) * ahead).normalized();
   for (const render::Surface& surface : frame.surfaces) {
     const Eigen::Map<const Eigen::Matrix3Xf> points(surface.positions.data(), 3,

@@ -62,6 +62,16 @@ render::Point to_point(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
+Vec3 to_vec3(const render::Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
+double visible_height(const render::Camera& camera) {
+  if (camera.orthographic) return camera.height;
+  const double distance = (to_vec3(camera.target) - to_vec3(camera.eye)).norm();
+  return 2 * distance * std::tan(camera.field_of_view * std::numbers::pi / 360);
+}
+
 Eigen::AlignedBox3d rest_box(std::span<const sim::BodyRange> bodies) {
   Eigen::AlignedBox3d box;
   for (const sim::BodyRange& body : bodies) {
@@ -102,17 +112,13 @@ render::Camera view_of(const Camera& camera, const Stand& stand, const Eigen::Al
 
 void place_in(const render::Box& part, double aspect, render::Camera& camera) {
   const double share = std::min(part.right - part.left, part.bottom - part.top);
-  const auto vector = [](const render::Point& p) { return Vec3(p[0], p[1], p[2]); };
-  Vec3 arm = vector(camera.eye) - vector(camera.target);
-  double extent = camera.height / share;  // visible height at the target, m
-  if (!camera.orthographic) {
-    arm /= share;
-    extent = 2 * std::tan(camera.field_of_view * std::numbers::pi / 360) * arm.norm();
-  }
-  const Vec3 right = vector(camera.up).cross(arm).normalized(), up = arm.cross(right).normalized();
+  const double extent = visible_height(camera) / share;
+  Vec3 arm = to_vec3(camera.eye) - to_vec3(camera.target);
+  if (!camera.orthographic) arm /= share;
+  const Vec3 right = to_vec3(camera.up).cross(arm).normalized(), up = arm.cross(right).normalized();
   const Vec3 shift = (0.5 - (part.left + part.right) / 2) * aspect * extent * right -
                      (0.5 - (part.top + part.bottom) / 2) * extent * up;
-  const Vec3 target = vector(camera.target) + shift;
+  const Vec3 target = to_vec3(camera.target) + shift;
   camera.height = static_cast<float>(extent);
   camera.target = to_point(target);
   camera.eye = to_point(target + arm);

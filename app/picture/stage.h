@@ -40,5 +40,9 @@ void place_in(const render::Box& part, double aspect, render::Camera& camera);
 void add_obstacles(std::span<const sim::Obstacle> obstacles, const Vec3& origin, render::Frame& frame);
 
 render::Point to_point(const Vec3& v);
+Vec3 to_vec3(const render::Point& p);
+
+// What the picture shows at the target, from below to above [m].
+double visible_height(const render::Camera& camera);
 
 }  // namespace app

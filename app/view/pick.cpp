@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/picture/stage.h"
 #include "render/view.h"
 
 namespace app {
@@ -60,8 +61,7 @@ Ray ray_through(const render::Camera& camera, double aspect, double x, double y)
 }
 
 sim::Vec3 on_plane(const Ray& ray, const render::Camera& camera, const sim::Vec3& point) {
-  const auto vector = [](const render::Point& p) { return Vec3(p[0], p[1], p[2]); };
-  const Vec3 normal = (vector(camera.target) - vector(camera.eye)).normalized();
+  const Vec3 normal = (to_vec3(camera.target) - to_vec3(camera.eye)).normalized();
   return ray.origin + (point - ray.origin).dot(normal) / ray.direction.dot(normal) * ray.direction;
 }
 

@@ -181,11 +181,26 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
   return true;
 }
 
+// Of dx_, as solver.tolerance counts it: body sizes per second, in statics body sizes.
+double Newton::largest_increment(const StageProblem& stage) const {
+  const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
+  double largest = 0;
+  for (Eigen::Index node = 0; node < model_.node_count; ++node)
+    largest = std::max(largest, dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
+  return largest;
+}
+
+Newton::Move Newton::whole_step(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v) {
+  x_from_ = x;
+  v_from_ = v;
+  move(stage, 1, x, v);
+  return {1, 0, 0};
+}
+
 bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
                    StepReport& report) {
   if (model_.node_count == 0) return true;  // a scene without bodies
   const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
-  const double per_second = stage.gh == 0 ? 1 : 1 / stage.gh;
   const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, model_.solver.tolerance) : linear_tolerance;
@@ -212,18 +227,9 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
       break;
     }
     ++report.newton;
-    Move step{1, 0, 0};
-    if (takes_whole_steps) {
-      x_from_ = x;
-      v_from_ = v;
-      move(stage, step.a, x, v);
-    } else {
-      step = line_search(stage, motion, potential_here, x, v, report);
-    }
-    report.increment = 0;
-    for (Eigen::Index node = 0; node < model_.node_count; ++node)
-      report.increment = std::max(report.increment,
-                                  dx_.segment(node * model_.D, model_.D).norm() * per_second / model_.node_size[node]);
+    const Move step =
+        takes_whole_steps ? whole_step(stage, x, v) : line_search(stage, motion, potential_here, x, v, report);
+    report.increment = largest_increment(stage);
     if (stage.one_iteration || (step.a == 1 && report.increment <= model_.solver.tolerance)) return true;
     if (step.a == 0 && !exactness.exact() && !kept_tangent_) {
       report.reason = "no step along the Newton direction lowers the potential";

@@ -62,7 +62,9 @@ class Newton {
                   Eigen::VectorXd& x, Eigen::VectorXd& v);
   Move line_search(const StageProblem& stage, const Motion& motion, double& potential_here, Eigen::VectorXd& x,
                    Eigen::VectorXd& v, StepReport& report);
+  Move whole_step(const StageProblem& stage, Eigen::VectorXd& x, Eigen::VectorXd& v);
   double slope_at(const StageProblem& stage, const Motion& motion, StepReport& report);
+  double largest_increment(const StageProblem& stage) const;
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
