@@ -6,6 +6,7 @@
 
 #include "sim/build/bending.h"
 #include "sim/element/element.h"
+#include "sim/math/chosen.h"
 
 namespace sim {
 
@@ -17,7 +18,7 @@ using Remarks = std::vector<std::string>;
 Eigen::VectorXd element_extents(const Mesh& mesh) {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(mesh.X.rows());
   for (const auto& nodes : mesh.elements.colwise()) {
-    const Eigen::MatrixXd X = mesh.X(Eigen::all, nodes);
+    const Eigen::MatrixXd X = chosen_columns(mesh.X, nodes);
     mean += (X.rowwise().maxCoeff() - X.rowwise().minCoeff()) / mesh.element_count();
   }
   return mean;

@@ -11,6 +11,7 @@
 #include "sim/fill/lattice.h"
 #include "sim/fill/split.h"
 #include "sim/fill/winding.h"
+#include "sim/math/chosen.h"
 #include "sim/mesh/check.h"
 #include "sim/mesh/components.h"
 #include "sim/mesh/dihedral.h"
@@ -176,7 +177,7 @@ int drop_crumbs(Mesh& mesh) {
   }
   if (dropped == 0) return 0;
   std::sort(kept.begin(), kept.end());
-  mesh.elements = Eigen::MatrixXi(mesh.elements(Eigen::all, kept));
+  mesh.elements = chosen_columns(mesh.elements, kept);
   check_and_orient(mesh);  // drops the nodes of the crumbs
   return dropped;
 }

@@ -5,6 +5,7 @@
 
 #include "sim/fill/carry.h"
 #include "sim/fill/winding.h"
+#include "sim/math/chosen.h"
 #include "sim/mesh/check.h"
 #include "sim/mesh/dihedral.h"
 #include "sim/mesh/refine.h"
@@ -59,7 +60,7 @@ Mesh without_triangles(Mesh mesh, int from, int count) {
   std::vector<int> kept;
   for (int t = 0; t < mesh.element_count(); ++t)
     if (t < from || t >= from + count) kept.push_back(t);
-  mesh.elements = Eigen::MatrixXi(mesh.elements(Eigen::all, kept));
+  mesh.elements = chosen_columns(mesh.elements, kept);
   return mesh;
 }
 
