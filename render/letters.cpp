@@ -28,6 +28,15 @@ unsigned letter_at(const std::string& words, std::size_t at, std::size_t length)
   return length > 3 ? 0xFFFFU : range.empty() ? 0U : range[0];
 }
 
+// Dear ImGui keeps a font at each of its sizes since 1.92, and asks the file what it has.
+bool has_letter(ImFont& font, ImWchar letter) {
+#if IMGUI_VERSION_NUM >= 19200
+  return font.IsGlyphInFont(letter);
+#else
+  return font.FindGlyphNoFallback(letter) != nullptr;
+#endif
+}
+
 }  // namespace
 
 Letters::Letters() {
@@ -55,7 +64,7 @@ std::string letters_that_lack(const std::string& words) {
   Letters letters;
   if (!letters.learn(words)) return {};
   ImFontAtlas atlas;
-  const ImFont* font = load_font(atlas, "DejaVuSans.ttf", any_size, letters.ranges());
+  ImFont* font = load_font(atlas, "DejaVuSans.ttf", any_size, letters.ranges());
   if (!has_dejavu() || !atlas.Build()) return {};
   std::string lacking;
   for (std::size_t at = 0; at < words.size();) {
@@ -64,7 +73,7 @@ std::string letters_that_lack(const std::string& words) {
     const unsigned code = letter_at(words, at, length);
     at += length;
     if (code < 0x20 || lacking.find(letter) != std::string::npos) continue;
-    if (font->FindGlyphNoFallback(static_cast<ImWchar>(code)) == nullptr) lacking += letter;
+    if (!has_letter(*font, static_cast<ImWchar>(code))) lacking += letter;
   }
   return lacking;
 }
