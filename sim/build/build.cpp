@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/body/start.h"
+#include "sim/build/barrier_scheme.h"
 #include "sim/build/contacts.h"
 #include "sim/build/held.h"
 #include "sim/build/key_path.h"
@@ -204,6 +205,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   auto parts = std::make_unique<Parts>();
   parts->scheme = find_scheme(scene.time.integrator);
   if (!parts->scheme) throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
+  check_barrier_scheme(*parts, scene);
   Model& model = parts->model;
   model.D = scene.dimension;
   model.threads = threads;
