@@ -230,8 +230,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(model, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
   check_start(model);
-  if (parts->scheme->is_static)
-    parts->no_equilibrium = moved_as_a_whole(model, scene.springs, !scene.obstacles.empty());
+  if (parts->scheme->is_static) parts->no_equilibrium = moved_as_a_whole(model, scene.springs);
   settle_substeps(*parts);
   form_pattern(*parts);
   return parts;
