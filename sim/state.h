@@ -18,6 +18,7 @@ struct KeptFactor {
   std::int64_t definiteness = 0;     // a value of sim::Definiteness
   double t_begin = 0, t = 0;         // s: start of that step, and of its stage
   double dv_dx = 0, c = 0;           // 1/(g h), 1/(g h)^2
+  double barriers = 1;               // how often they count there
   Eigen::VectorXd x_begin, v_begin;  // at the start of that step
   Eigen::VectorXd x, v;              // where it was linearised
 };
@@ -26,7 +27,7 @@ struct State {
   std::int64_t step = 0;               // completed steps; the time is System::time(step)
   Eigen::VectorXd x, v;                // positions [m] and velocities [m/s], D numbers per node, node by node
   Eigen::VectorXd x_before, v_before;  // of the step before; empty until there is one
-  Eigen::VectorXd force;               // N, that the last stage balanced; empty: to be evaluated
+  Eigen::VectorXd force;               // N, that the last stage balanced, without barriers; empty: to be evaluated
   KeptFactor kept;
 };
 
@@ -49,6 +50,7 @@ void for_each_field(S& state, const F& f) {
   f(k.t);
   f(k.dv_dx);
   f(k.c);
+  f(k.barriers);
   f(k.x_begin);
   f(k.v_begin);
   f(k.x);

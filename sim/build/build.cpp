@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/body/start.h"
+#include "sim/build/barrier_scheme.h"
 #include "sim/build/contacts.h"
 #include "sim/build/held.h"
 #include "sim/build/key_path.h"
@@ -204,6 +205,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   auto parts = std::make_unique<Parts>();
   parts->scheme = find_scheme(scene.time.integrator);
   if (!parts->scheme) throw InputError("time.integrator", "\"" + scene.time.integrator + "\" is not a scheme");
+  check_barrier_scheme(*parts, scene);
   Model& model = parts->model;
   model.D = scene.dimension;
   model.threads = threads;
@@ -228,8 +230,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(model, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
   check_start(model);
-  if (parts->scheme->is_static)
-    parts->no_equilibrium = moved_as_a_whole(model, scene.springs, !scene.obstacles.empty());
+  if (parts->scheme->is_static) parts->no_equilibrium = moved_as_a_whole(model, scene.springs);
   settle_substeps(*parts);
   form_pattern(*parts);
   return parts;

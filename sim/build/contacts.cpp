@@ -96,18 +96,6 @@ void settle_distance(ContactTerm::Input& input, const Contact& contact, const Mo
   }
 }
 
-// What ends a step somewhere that no iteration has seen, or goes there without looking, may pass through.
-void check_scheme(const Scheme& scheme) {
-  const std::string why = scheme.is_explicit()   ? "explicit steps do not look what is in their way"
-                          : scheme.extrapolate   ? "its steps end beyond what the iteration has seen"
-                          : scheme.one_iteration ? "its one iteration has no line search"
-                                                 : "";
-  if (!why.empty())
-    throw InputError("time.integrator", "\"" + std::string(scheme.name) +
-                                            "\" cannot keep bodies of a [[contact]] apart: " + why +
-                                            "; take backward-euler, bdf2, sdirk2, tr-bdf2 or trapezoidal");
-}
-
 std::string text_of(const Vec3& x, int D) {
   std::ostringstream text;
   text << '(' << x[0] << ", " << x[1];
@@ -143,7 +131,6 @@ void check_contact_start(const ContactTerm& term, const Eigen::VectorXd& x, cons
 
 void add_contacts(Parts& parts, const Scene& scene) {
   Model& model = parts.model;
-  if (!scene.contacts.empty()) check_scheme(*parts.scheme);
   Eigen::VectorXd start = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
   model.pins.prescribe(0, start, v);
   std::set<std::pair<int, int>> named;

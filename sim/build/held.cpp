@@ -1,6 +1,7 @@
 #include "sim/build/held.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "sim/mesh/components.h"
 #include "sim/mesh/locate.h"
@@ -92,8 +93,9 @@ std::string listed(const Eigen::MatrixXd& combinations, int D) {
 
 }  // namespace
 
-std::string moved_as_a_whole(const Model& model, const std::vector<Spring>& springs, bool has_obstacles) {
-  if (has_obstacles) return {};
+std::string moved_as_a_whole(const Model& model, const std::vector<Spring>& springs) {
+  const auto barrier = [](const auto& term) { return term->limits_moves(); };
+  if (std::any_of(model.terms.begin(), model.terms.end(), barrier)) return {};
   constexpr double rounding = 1e-9;
   const int D = model.D;
   const Eigen::VectorXd held = held_components(model, springs), f = load_at_start(model);

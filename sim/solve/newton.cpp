@@ -200,7 +200,7 @@ Newton::Move Newton::whole_step(const StageProblem& stage, Eigen::VectorXd& x, E
 bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen::VectorXd& x, Eigen::VectorXd& v,
                    StepReport& report) {
   if (model_.node_count == 0) return true;  // a scene without bodies
-  const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh};
+  const Motion motion{x, v, stage.t, stage.gh == 0 ? 0 : 1 / stage.gh, stage.barriers};
   const int most = stage.one_iteration ? 1 : model_.solver.max_iterations;
   // A single iteration has no later one to mend what its linear solve left.
   const double linear = stage.one_iteration ? std::min(1e-6, model_.solver.tolerance) : linear_tolerance;

@@ -20,6 +20,7 @@ struct StageProblem {
   double t = 0;                    // s, at the end of the stage
   const Eigen::VectorXd& target;   // m: where prescribed components are at t; others mean nothing
   bool one_iteration = false;
+  double barriers = 1;  // how often they count: Stage::barriers
 };
 
 class Newton {

@@ -18,23 +18,55 @@ bool TangentOperator::lags() const {
   return std::any_of(model_.terms.begin(), model_.terms.end(), [](const auto& term) { return term->lags(); });
 }
 
+// How often a term counts: once, unless it is a barrier.
+double TangentOperator::times(std::size_t term, const Motion& motion) const {
+  return model_.terms[term]->limits_moves() ? motion.barriers : 1;
+}
+
+// f += the forces that add(term, its store, to) adds to zero, as often as they count
+template <class Add>
+void TangentOperator::add_forces_of(std::size_t term, const Motion& motion, Eigen::VectorXd& f, const Add& add) {
+  const double n = times(term, motion);
+  if (n == 1) {
+    add(*model_.terms[term], *stores_[term], f);
+  } else if (n != 0) {
+    part_.setZero(f.size());
+    add(*model_.terms[term], *stores_[term], part_);
+    f += n * part_;
+  }
+}
+
 void TangentOperator::linearise(const Motion& motion, double c, Definiteness fix, Eigen::VectorXd& f) {
   x_ = motion.x;
   v_ = motion.v;
-  where_.emplace(*begin_, Motion{x_, v_, motion.t, motion.dv_dx}, c, fix);
+  where_.emplace(*begin_, Motion{x_, v_, motion.t, motion.dv_dx, motion.barriers}, c, fix);
   ++revision_;
   f.setZero();
-  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->linearise(motion, fix, *stores_[k], f);
+  for (std::size_t k = 0; k < stores_.size(); ++k)
+    add_forces_of(k, motion, f, [&](const Term& term, Term::Store& store, Eigen::VectorXd& to) {
+      term.linearise(motion, fix, store, to);
+    });
 }
 
 void TangentOperator::forces(const Motion& motion, Eigen::VectorXd& f) {
   f.setZero();
-  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_forces(motion, *stores_[k], f);
+  for (std::size_t k = 0; k < stores_.size(); ++k)
+    add_forces_of(k, motion, f, [&](const Term& term, Term::Store& store, Eigen::VectorXd& to) {
+      term.add_forces(motion, store, to);
+    });
+}
+
+void TangentOperator::barrier_forces(const Motion& motion, Eigen::VectorXd& f) {
+  f.setZero();
+  for (std::size_t k = 0; k < stores_.size(); ++k)
+    if (model_.terms[k]->limits_moves()) model_.terms[k]->add_forces(motion, *stores_[k], f);
+  f *= motion.barriers;
 }
 
 double TangentOperator::energy(const Motion& motion) {
   double U = 0;
-  for (std::size_t k = 0; k < stores_.size(); ++k) U += model_.terms[k]->energy(motion, *stores_[k]);
+  for (std::size_t k = 0; k < stores_.size(); ++k)
+    if (const double n = times(k, motion); n != 0) U += n * model_.terms[k]->energy(motion, *stores_[k]);
   return U;
 }
 
@@ -52,14 +84,15 @@ double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd
 void TangentOperator::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& y) const {
   y.setZero();
   for (const Mass& mass : model_.masses) mass.add_product(where_->c, p, y, model_.D);
-  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_product(*stores_[k], 1, p, y);
+  for (std::size_t k = 0; k < stores_.size(); ++k)
+    model_.terms[k]->add_product(*stores_[k], times(k, where_->at), p, y);
   y.array() *= free_.array();
 }
 
 void TangentOperator::diagonal(Eigen::VectorXd& d) const {
   d.setZero();
   for (const Mass& mass : model_.masses) mass.add_diagonal(where_->c, d, model_.D);
-  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_diagonal(*stores_[k], 1, d);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_diagonal(*stores_[k], times(k, where_->at), d);
   d.array() = d.array() * free_.array() + (1 - free_.array());
 }
 
@@ -68,7 +101,7 @@ void TangentOperator::assemble_upper(BlockMatrix& A) const {
   for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_pairs(*stores_[k], pairs);
   A.set_zero(pairs);
   for (const Mass& mass : model_.masses) mass.add_matrix(where_->c, A);
-  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_matrix(*stores_[k], 1, A);
+  for (std::size_t k = 0; k < stores_.size(); ++k) model_.terms[k]->add_matrix(*stores_[k], times(k, where_->at), A);
 }
 
 void TangentOperator::assemble(BlockMatrix& A) const {

@@ -32,6 +32,8 @@ class TangentOperator {
   std::int64_t revision() const { return revision_; }
   // f = -grad U
   void forces(const Motion& motion, Eigen::VectorXd& f);
+  // The part of them that is of barriers, as often as they count.
+  void barrier_forces(const Motion& motion, Eigen::VectorXd& f);
   // U, +infinity where a term does not allow the motion
   double energy(const Motion& motion);
   bool limits_moves() const;  // some term does
@@ -57,6 +59,10 @@ class TangentOperator {
   std::span<const std::unique_ptr<Term::Store>> stores() const { return stores_; }
 
  private:
+  double times(std::size_t term, const Motion& motion) const;
+  template <class Add>
+  void add_forces_of(std::size_t term, const Motion& motion, Eigen::VectorXd& f, const Add& add);
+
   const Model& model_;
   int threads_;
   std::vector<std::unique_ptr<Term::Store>> stores_;  // one for each term
@@ -65,6 +71,7 @@ class TangentOperator {
   std::optional<Motion> begin_;
   std::optional<Linearisation> where_;
   Eigen::VectorXd x_, v_;  // of its motion
+  Eigen::VectorXd part_;   // forces of one term
   std::int64_t revision_ = 0;
 };
 

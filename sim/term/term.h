@@ -16,6 +16,7 @@ struct Motion {
   const Eigen::VectorXd& v;  // m/s
   double t = 0;              // s
   double dv_dx = 0;          // 1/(g h) [1/s]; 0 where v does not follow x (explicit, static)
+  double barriers = 1;       // how often the sum of all terms counts barriers there: Stage::barriers, 0 without them
 };
 
 // What a term stands for: the body's own elasticity, an effect of its motion or place (weight, damping, untangling), or
@@ -67,7 +68,7 @@ class Term {
   // Pairs (i, j), i < j, of the last linearisation's K that couple() could not name: bodies that touch.
   virtual void add_pairs(const Store&, std::vector<NodePair>&) const {}
 
-  // It does not allow every x.
+  // It is a barrier: it does not allow every x.
   virtual bool limits_moves() const { return false; }
   // The largest a <= 1 for which x + a dx is allowed, and all before it.
   virtual double largest_step(const Motion&, const Eigen::VectorXd& /*dx*/, Store&) const { return 1; }

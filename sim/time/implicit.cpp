@@ -21,7 +21,7 @@ ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int t
     : model_(model), scheme_(scheme), newton_(model, threads), begin_(most_halvings + 1) {
   // What a scheme has no use for is zero: a static step leaves a state without a force, not with what memory held.
   for (Eigen::VectorXd* v : {&x_star_, &v_start_, &way_, &target_, &impulse_, &x_first_, &v_first_, &force_first_, &x_,
-                             &v_, &x_lagged_, &v_lagged_, &force_})
+                             &v_, &x_lagged_, &v_lagged_, &force_, &barrier_impulse_})
     v->setZero(model.dofs());
 }
 
@@ -29,7 +29,7 @@ ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int t
 // whichever has the lowest potential. No iterate has a higher one, so that even an iteration which is cut short ends no
 // higher than where the step began. Returns that potential, where it was evaluated.
 std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
-  const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh};
+  const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh, problem.barriers};
   if (scheme.is_static || scheme.one_iteration) {
     x_ = next_.x;
     if (problem.gh == 0)
@@ -100,13 +100,15 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
       impulse_ += (h * stage.d[k]) * *f[k];
     }
   }
+  if (stage.c[first_stage] != 0) impulse_ -= stage.c[first_stage] * barrier_impulse_;
   const StageProblem problem{x_star_,
                              v_start_,
                              impulse_,
                              scheme.is_static ? 0 : stage.g * h,
                              t_begin + stage.end * h,
                              target_,
-                             scheme.one_iteration};
+                             scheme.one_iteration,
+                             stage.barriers()};
   model_.pins.prescribe(problem.t, target_, v_);
   const std::optional<double> start = guess(problem, scheme, h);
   if (!newton_.solve(problem, start, x_, v_, report)) return false;
@@ -119,20 +121,32 @@ bool ImplicitStepper::take_stage(const Scheme& scheme, const Stage& stage, int n
     newton_.tangent().begin_step(lagged);
     if (!newton_.solve(problem, {}, x_, v_, report)) return false;
   }
-  if (problem.gh != 0) {
-    // The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of
-    // the residual by the stiffness).
-    force_ = -impulse_;
-    x_star_ = v_ - v_start_;
-    for (const Mass& mass : model_.masses) mass.add_product(1, x_star_, force_, model_.D);
-    force_ /= problem.gh;
-  }
+  find_force(problem);
   if (number == 0 && scheme.stages.size() > 1) {
     x_first_ = x_;
     v_first_ = v_;
     force_first_ = force_;
   }
+  leave_out_barriers(problem);
   return true;
+}
+
+// The force that the stage balanced, from its own equation (not evaluated anew: that would amplify what is left of the
+// residual by the stiffness).
+void ImplicitStepper::find_force(const StageProblem& problem) {
+  if (problem.gh == 0) return;
+  force_ = -impulse_;
+  x_star_ = v_ - v_start_;
+  for (const Mass& mass : model_.masses) mass.add_product(1, x_star_, force_, model_.D);
+  force_ /= problem.gh;
+}
+
+// The next step's share of the force is without them; what they did in a first stage is known to the second.
+void ImplicitStepper::leave_out_barriers(const StageProblem& problem) {
+  if (problem.gh == 0 || !newton_.tangent().limits_moves()) return;
+  newton_.tangent().barrier_forces({x_, v_, problem.t, 1 / problem.gh, problem.barriers}, barrier_impulse_);
+  force_ -= barrier_impulse_;
+  barrier_impulse_ *= problem.gh;
 }
 
 void ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t_end) {
@@ -166,7 +180,7 @@ bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, co
   newton_.begin_step(begin, t_end, next_.kept);
   if (next_.force.size() == 0 || released) {
     next_.force.resize(model_.dofs());
-    newton_.tangent().forces(begin, next_.force);
+    newton_.tangent().forces({begin_state.x, begin_state.v, t, 0, 0}, next_.force);
     ++report.force_evaluations;
   }
   report.converged = true;

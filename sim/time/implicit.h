@@ -28,6 +28,8 @@ class ImplicitStepper final : public Stepper {
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
   std::optional<double> guess(const StageProblem& problem, const Scheme& scheme, double h);
   bool limit_guess(const StageProblem& problem);
+  void find_force(const StageProblem& problem);
+  void leave_out_barriers(const StageProblem& problem);
   void calm(const State& begin, double t, double t_end);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
@@ -40,6 +42,7 @@ class ImplicitStepper final : public Stepper {
   Eigen::VectorXd x_star_, v_start_, impulse_, way_, target_;
   Eigen::VectorXd x_first_, v_first_, force_first_;  // first stage of two
   Eigen::VectorXd x_, v_, force_;                    // the stage under way
+  Eigen::VectorXd barrier_impulse_;                  // in the stage before, kg m/s
   Eigen::VectorXd x_lagged_, v_lagged_;              // where the terms froze what they keep, if not at the start
 };
 

@@ -17,6 +17,13 @@ struct Stage {
   std::array<double, source_count> c, d;
   double g;
   double end;
+
+  // How often barriers and their friction count at its end. Their force comes and goes within a step: a share of it
+  // that is taken from the step's start, or an impulse of the first stage that is drawn out longer, does work that no
+  // one has paid for, and bodies gain energy where they hit something. So both are left out, and this is so large that
+  // a constant force still gives what it should by the end: end = g barriers() - c[before] + d[first_stage]. [after
+  // Kane et al. 1999]
+  constexpr double barriers() const { return (end + c[before] - d[first_stage]) / g; }
 };
 
 // How the velocity gets its forces: from implicit stages, in one kick at the step's start, or in two half kicks at both
