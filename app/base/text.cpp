@@ -1,5 +1,7 @@
 #include "app/base/text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdarg>
 #include <cstdio>
 
@@ -18,6 +20,12 @@ std::string formatted(const char* format, ...) {
 
 std::string hexadecimal(std::uint64_t number) {
   return formatted("%016llx", static_cast<unsigned long long>(number));
+}
+
+std::string in_capitals(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return result;
 }
 
 std::string percent(double share) {

@@ -16,6 +16,9 @@ std::string hexadecimal(std::uint64_t number);
 // "1.5 %" of a share of 0.015.
 std::string percent(double share);
 
+// With capitals for small letters, of ASCII.
+std::string in_capitals(std::string_view text);
+
 // A string of JSON and of TOML: in quotes, what may not stand between them escaped.
 std::string quoted_text(std::string_view text);
 

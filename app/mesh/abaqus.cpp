@@ -1,5 +1,6 @@
 #include "app/mesh/abaqus.h"
 
+#include "app/base/text.h"
 #include "app/mesh/abaqus_sets.h"
 #include "app/mesh/abaqus_types.h"
 #include "app/mesh/msh_contents.h"

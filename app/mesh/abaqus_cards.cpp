@@ -1,7 +1,8 @@
 #include "app/mesh/abaqus_cards.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -21,12 +22,6 @@ std::string_view without_quotes(std::string_view text) {
 std::string AbaqusCard::option(const std::string& name) const {
   const auto found = options.find(name);
   return found == options.end() ? std::string() : found->second;
-}
-
-std::string in_capitals(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return result;
 }
 
 bool abaqus_data_finished(Cursor& in) {

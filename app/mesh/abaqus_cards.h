@@ -18,8 +18,6 @@ struct AbaqusCard {
   std::string option(const std::string& name) const;
 };
 
-std::string in_capitals(std::string_view text);
-
 // Skips comments (**) and blank lines. True when a card follows, or the end of the file: no data.
 bool abaqus_data_finished(Cursor& in);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "app/base/text.h"
+
 namespace app {
 namespace {
 

@@ -17,6 +17,8 @@ bool is_space(char c) {
   return is_blank(c) || c == '\n';
 }
 
+constexpr std::size_t longest_number = 64;  // letters
+
 // from_chars knows no leading plus; formatted output of other programs does.
 std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
@@ -33,7 +35,14 @@ bool parse(std::string_view word, std::int64_t& value) {
 bool parse(std::string_view word, double& value) {
   word = without_plus(word);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size()) return false;
+  if (end != word.data() + word.size()) {
+    // Fortran writes 1.0D+00.
+    std::string text(word.substr(0, longest_number));
+    const bool digits_before = end != word.data() && (*end == 'd' || *end == 'D');
+    if (!digits_before || word.size() > longest_number) return false;
+    text[static_cast<std::size_t>(end - word.data())] = 'e';
+    return parse(text, value);
+  }
   if (error == std::errc::result_out_of_range && (word.find("e-") != word.npos || word.find("E-") != word.npos)) {
     value = 0;
     return true;
@@ -106,8 +115,9 @@ std::string_view Cursor::quoted(std::string_view what) {
   item_ = position_;
   if (none) fail("the file ends where " + std::string(what) + " should be");
   const std::size_t line_end = std::min(content_.find('\n', position_), content_.size());
-  const std::size_t end = content_[position_] == '"' ? content_.find('"', position_ + 1) : content_.npos;
-  if (end >= line_end) fail(std::string(what) + " should be in double quotes on one line");
+  const std::size_t end = content_.rfind('"', line_end);  // writers leave quotes inside of the text as they are
+  if (content_[position_] != '"' || end == content_.npos || end <= position_)
+    fail(std::string(what) + " should be in double quotes on one line");
   position_ = end + 1;
   return content_.substr(item_ + 1, end - item_ - 1);
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 
 #include "app/mesh/mesh_nodes.h"
 #include "app/mesh/polygon.h"
@@ -37,6 +38,7 @@ void FaceSet::add(const Cursor& in, const std::vector<int>& corners) {
   if (corners.size() == 3) {
     triangles_.insert(triangles_.end(), corners.begin(), corners.end());
     places_.push_back(in.item());
+    part_.push_back(parts_.size() - 1);
     return;
   }
   ++polygons_;
@@ -49,6 +51,7 @@ void FaceSet::add(const Cursor& in, const std::vector<int>& corners) {
   for (const auto& triangle : *cut) {
     for (const int i : triangle) triangles_.push_back(corners[static_cast<std::size_t>(i)]);
     places_.push_back(in.item());
+    part_.push_back(parts_.size() - 1);
   }
 }
 
@@ -69,12 +72,42 @@ void FaceSet::drop_flat(const Cursor& in, std::vector<std::string>& remarks) {
     }
     std::copy_n(triangles_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
                 triangles_.begin() + static_cast<std::ptrdiff_t>(3 * kept));
+    part_[kept] = part_[t];
     ++kept;
   }
   if (kept == places_.size()) return;
   remarks.push_back(in.where(places_[first]) + ": faces without area, left out: " +
                     std::to_string(places_.size() - kept) + " (this is the first, of vertices" + which + ")");
   triangles_.resize(3 * kept);
+}
+
+void FaceSet::put_in(const std::vector<std::string>& names) {
+  std::vector<std::string>& part = parts_.emplace_back();
+  for (const std::string& name : names) {
+    const std::size_t first = name.find_first_not_of(" \t");
+    if (first != name.npos) part.push_back(name.substr(first, name.find_last_not_of(" \t") - first + 1));
+  }
+}
+
+std::vector<sim::Group> FaceSet::groups(const sim::Mesh& mesh) const {
+  std::map<std::string, sim::Group> by_name;
+  for (int t = 0; t < mesh.element_count(); ++t) {
+    for (const std::string& name : parts_[part_[static_cast<std::size_t>(t)]]) {
+      sim::Group& group = by_name[name];
+      if (group.elements.empty() || group.elements.back() != t) group.elements.push_back(t);
+    }
+  }
+  std::vector<sim::Group> groups;
+  for (auto& [name, group] : by_name) {
+    group.name = name;
+    group.dimension = 2;
+    for (const int t : group.elements)
+      group.nodes.insert(group.nodes.end(), mesh.elements.col(t).begin(), mesh.elements.col(t).end());
+    std::sort(group.nodes.begin(), group.nodes.end());
+    group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
 }
 
 sim::Mesh FaceSet::mesh(const Cursor& in, std::vector<std::string>& remarks) {
@@ -95,6 +128,7 @@ sim::Mesh FaceSet::mesh(const Cursor& in, std::vector<std::string>& remarks) {
   join_seams(mesh, in.name(), remarks);
   keep_used_nodes(mesh, in.name(), remarks);
   flatten(mesh, in.name());
+  mesh.groups = groups(mesh);
   return mesh;
 }
 

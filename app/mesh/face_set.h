@@ -22,6 +22,8 @@ class FaceSet {
   // A face that was just read, by indices of vertices that exist: cut into triangles where it has more corners. Fails
   // when it has fewer than three, one twice, or sides that cross each other.
   void add(const Cursor& in, const std::vector<int>& corners);
+  // The faces that follow are in the groups of these names; a name may be empty, or have blanks around it.
+  void put_in(const std::vector<std::string>& names);
   // Whether a vertex that a face names exists: gives back its index.
   int checked_vertex(const Cursor& in, std::int64_t index) const;
 
@@ -32,11 +34,14 @@ class FaceSet {
 
  private:
   void drop_flat(const Cursor& in, std::vector<std::string>& remarks);
+  std::vector<sim::Group> groups(const sim::Mesh& mesh) const;
 
   int first_;
-  std::vector<int> triangles_;       // three vertices each
-  std::vector<std::size_t> places_;  // of each triangle's face in the file
-  std::size_t polygons_ = 0;         // faces of more than three corners
+  std::vector<int> triangles_;                          // three vertices each
+  std::vector<std::size_t> places_;                     // of each triangle's face in the file
+  std::vector<std::size_t> part_;                       // of each triangle
+  std::vector<std::vector<std::string>> parts_ = {{}};  // names of the groups of each part; the last one is filled
+  std::size_t polygons_ = 0;                            // faces of more than three corners
 };
 
 }  // namespace app

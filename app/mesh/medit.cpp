@@ -43,6 +43,10 @@ class MeditReader {
       }
     }
     if (contents_.coordinates.empty()) in_.fail("the file ends without Vertices");
+    for (const auto& [type, place] : early_) {
+      in_.go_to(place);
+      read_elements(*type);
+    }
     return std::move(contents_);
   }
 
@@ -94,7 +98,10 @@ class MeditReader {
 
   // Number; then nodes and reference of each.
   void read_elements(const MshType& type) {
-    if (contents_.coordinates.empty()) in_.fail("elements stand before Vertices; they should follow");
+    if (contents_.coordinates.empty()) {
+      early_.emplace_back(&type, in_.position());
+      return pass_over();
+    }
     const std::size_t bytes = 2 * (static_cast<std::size_t>(type.nodes) + 1);
     const int count = in_.checked_count(in_.whole("the number of elements"), bytes, "the number of elements");
     std::vector<std::int64_t> nodes(static_cast<std::size_t>(type.nodes));
@@ -108,6 +115,7 @@ class MeditReader {
 
   Cursor& in_;
   int dimension_ = 0;
+  std::vector<std::pair<const MshType*, std::size_t>> early_;  // elements that stand before the vertices, and where
   MshContents contents_;
 };
 

@@ -85,9 +85,8 @@ void skip_section(Cursor& in, const std::string& section) {
   if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
     in.fail(quote(section) + " stands where a section such as $Nodes should begin");
   }
-  if (section == "$PartitionedEntities" || section == "$ParametricNodes") {
-    in.fail(section + " is not read: save the mesh without partitions and without parametric coordinates");
-  }
+  if (section == "$ParametricNodes")
+    in.fail(section + " is not read; gmsh -0 FILE -format msh41 -o NEW.msh writes nodes without parameters");
   const std::string end = "$End" + section.substr(1);
   do {
     if (!in.skip_past(end)) in.fail("the section " + quote(section) + " has no end " + quote(end));
@@ -138,6 +137,9 @@ class Sections {
     } else if (section == "$Entities" && format_.version->point_numbers > 0) {
       if (format_.binary) in_.rest_of_line();
       entities_ = read_msh4_entities(fields_, format_.version->point_numbers);
+    } else if (section == "$PartitionedEntities" && format_.version->point_numbers > 0) {
+      if (format_.binary) in_.rest_of_line();
+      read_msh4_partitions(fields_, format_.version->point_numbers, entities_);
     } else {
       return skip_section(in_, section);
     }

@@ -54,6 +54,26 @@ MshEntities read_msh4_entities(MshFields& in, int point_numbers) {
   return entities;
 }
 
+// In front: how many partitions, and the entities of ghosts. Each entity says which one it is a part of, and in which
+// partitions, before what other entities say.
+void read_msh4_partitions(MshFields& in, int point_numbers, MshEntities& entities) {
+  in.size("the number of partitions");
+  const int ghosts = in.count("the number of ghost entities", 4, 8);
+  for (int i = 0; i < 2 * ghosts; ++i) in.tag("a ghost entity");
+  std::array<int, 4> counts;
+  for (int& count : counts) count = in.count("the number of entities", 10, 36);
+  for (int dimension = 0; dimension < 4; ++dimension) {
+    for (int i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
+      const int tag = in.tag("the tag of an entity");
+      in.tag("the dimension of the parent");
+      in.tag("the tag of the parent");
+      const int partitions = in.count("the number of partitions of an entity", 2, 4);
+      for (int p = 0; p < partitions; ++p) in.tag("a partition");
+      entities[{dimension, tag}] = read_entity(in, dimension, point_numbers);
+    }
+  }
+}
+
 void read_msh4_nodes(MshFields& in, MshContents& contents) {
   const int blocks = in.count("the number of node blocks", 8, 20);
   const int total = in.count("the number of nodes", 8, 32);

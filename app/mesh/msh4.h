@@ -16,6 +16,8 @@ using MshEntities = std::map<std::pair<int, int>, std::vector<int>>;
 // From behind the section's name to before its end. Throw FileError. point_numbers: how many say where a point is:
 // three, or six in version 4.0.
 MshEntities read_msh4_entities(MshFields& in, int point_numbers);
+// Of a mesh that is cut into partitions: elements lie in parts of entities, which join the entities.
+void read_msh4_partitions(MshFields& in, int point_numbers, MshEntities& entities);
 void read_msh4_nodes(MshFields& in, MshContents& contents);
 void read_msh4_elements(MshFields& in, const MshEntities& entities, MshContents& contents);
 

@@ -54,17 +54,36 @@ void read_face(Cursor& in, FaceSet& faces) {
   faces.add(in, corners);
 }
 
+// "g low left" and "o table": the faces that follow are in these groups, and belong to that object.
+class ObjParts {
+ public:
+  void read(Cursor& in, std::string_view statement, FaceSet& faces) {
+    std::vector<std::string>& names = statement == "o" ? objects_ : groups_;
+    names.clear();
+    while (!in.line_finished()) names.emplace_back(in.word("a name"));
+    std::vector<std::string> all = objects_;
+    all.insert(all.end(), groups_.begin(), groups_.end());
+    faces.put_in(all);
+  }
+
+ private:
+  std::vector<std::string> objects_, groups_;
+};
+
 }  // namespace
 
 sim::Mesh read_obj(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name, '#');
   FaceSet faces(1);
+  ObjParts parts;
   while (!in.finished()) {
     const std::string_view statement = in.word("a statement");
     if (statement == "v") {
       faces.vertices.push_back(read_vertex(in));
     } else if (statement == "f") {
       read_face(in, faces);
+    } else if (statement == "g" || statement == "o") {
+      parts.read(in, statement, faces);
     }
     in.rest_of_line();
   }

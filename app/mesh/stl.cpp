@@ -1,10 +1,13 @@
 #include "app/mesh/stl.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <map>
 
+#include "app/base/text.h"
 #include "app/mesh/binary.h"
 #include "app/mesh/face_set.h"
 
@@ -39,27 +42,36 @@ void add_triangle(const Cursor& in, const std::array<Eigen::Vector3d, 3>& X, Stl
   }
 }
 
+// Keywords are written in capitals too.
+std::string keyword(Cursor& in, std::string_view what) {
+  return in_capitals(in.word(what));
+}
+
+void expect_keyword(Cursor& in, std::string_view right) {
+  const std::string word = keyword(in, right);
+  if (word != in_capitals(right)) in.fail(quote(word) + " stands where " + std::string(right) + " should be");
+}
+
 // solid NAME, facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet, ..., endsolid NAME.
 int read_text_stl(Cursor& in, FaceSet& faces) {
   StlCorners corners(faces);
   int collapsed = 0;
   while (!in.finished()) {
-    const std::string_view word = in.word("solid, facet or endsolid");
-    if (word == "solid" || word == "endsolid") {
-      in.rest_of_line();
-      continue;
-    }
-    if (word != "facet") in.fail(quote(word) + " stands where solid, facet or endsolid should be");
+    const std::string word = keyword(in, "solid, facet or endsolid");
+    if (word == "SOLID") faces.put_in({std::string(in.rest_of_line())});
+    if (word == "ENDSOLID") in.rest_of_line();
+    if (word == "SOLID" || word == "ENDSOLID") continue;
+    if (word != "FACET") in.fail(quote(word) + " stands where solid, facet or endsolid should be");
     in.rest_of_line();
-    in.expect("outer");
-    in.expect("loop");
+    expect_keyword(in, "outer");
+    expect_keyword(in, "loop");
     std::array<Eigen::Vector3d, 3> X;
     for (Eigen::Vector3d& corner : X) {
-      in.expect("vertex");
+      expect_keyword(in, "vertex");
       for (double& x : corner) x = in.real("a coordinate");
     }
-    in.expect("endloop");
-    in.expect("endfacet");
+    expect_keyword(in, "endloop");
+    expect_keyword(in, "endfacet");
     add_triangle(in, X, corners, faces, collapsed);
   }
   return collapsed;
@@ -89,10 +101,16 @@ int read_binary_stl(Cursor& in, FaceSet& faces) {
   return collapsed;
 }
 
+std::size_t find_in_capitals_or_not(std::string_view content, std::string_view word) {
+  const auto capital = [](char c) { return std::toupper(static_cast<unsigned char>(c)); };
+  const auto found = std::ranges::search(content, word, {}, capital, capital);
+  return found.empty() ? content.npos : static_cast<std::size_t>(found.begin() - content.begin());
+}
+
 // The header of a binary file may start with "solid" as well; but text has no zero bytes, and facets.
 bool is_binary_stl(std::string_view content) {
-  if (content.find_first_not_of(" \t\r\n") == content.find("solid") && content.find("facet") != content.npos &&
-      content.find('\0') == content.npos) {
+  if (content.find_first_not_of(" \t\r\n") == find_in_capitals_or_not(content, "solid") &&
+      find_in_capitals_or_not(content, "facet") != content.npos && content.find('\0') == content.npos) {
     return false;
   }
   return content.size() >= stl_header + 4;

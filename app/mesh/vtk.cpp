@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "app/base/text.h"
+#include "app/mesh/face_set.h"
 #include "app/mesh/vtk_grid.h"
 #include "app/mesh/vtk_numbers.h"
 
@@ -15,10 +17,13 @@ class VtkReader {
  public:
   explicit VtkReader(Cursor& in) : in_(in) {}
 
+  // What the data are: polygons, or cells of several types.
+  bool polygons() const { return polygons_; }
+
   VtkGrid read() {
     read_head();
     while (!in_.finished()) read_part();
-    if (grid_.points.empty() || grid_.types.empty()) {
+    if (grid_.points.empty() || (grid_.types.empty() && !polygons_)) {
       in_.fail(std::string("the file ends without ") + (grid_.points.empty() ? "POINTS" : "CELL_TYPES"));
     }
     return std::move(grid_);
@@ -27,29 +32,44 @@ class VtkReader {
  private:
   // "# vtk DataFile Version 3.0", a title, ASCII or BINARY, DATASET and its kind.
   void read_head() {
-    for (const char* word : {"#", "vtk", "DataFile", "Version"}) in_.expect(word);
+    for (const char* word : {"#", "VTK", "DATAFILE", "VERSION"}) expect(word);
     version_ = in_.real("the version");
     in_.rest_of_line();
     in_.rest_of_line();
-    const std::string_view coding = in_.word("ASCII or BINARY");
+    const std::string coding = keyword("ASCII or BINARY");
     if (coding != "ASCII" && coding != "BINARY") in_.fail(quote(coding) + " stands where ASCII or BINARY should be");
     binary_ = coding == "BINARY";
-    in_.expect("DATASET");
-    const std::string_view dataset = in_.word("the kind of data");
-    if (dataset != "UNSTRUCTURED_GRID") {
-      in_.fail("the data are " + quote(dataset) + "; they should be UNSTRUCTURED_GRID");
+    expect("DATASET");
+    const std::string dataset = keyword("the kind of data");
+    polygons_ = dataset == "POLYDATA";
+    if (dataset != "UNSTRUCTURED_GRID" && !polygons_) {
+      in_.fail("the data are " + quote(dataset) + "; they should be UNSTRUCTURED_GRID or POLYDATA");
     }
     if (binary_) in_.use_offsets();
   }
 
+  // In capitals or not.
+  std::string keyword(std::string_view what) { return in_capitals(in_.word(what)); }
+
+  void expect(std::string_view right) {
+    const std::string word = keyword(right);
+    if (word != right) in_.fail(quote(word) + " stands where " + std::string(right) + " should be");
+  }
+
   void read_part() {
-    const std::string_view word = in_.word("a keyword");
+    const std::string word = keyword("a keyword");
     if (word == "POINTS") {
       const std::int64_t count = in_.whole("the number of points");
       const VtkType& type = vtk_type(in_, in_.word("the type of coordinates"));
       grid_.points = numbers<double>(type, times(count, 3));
-    } else if (word == "CELLS") {
+    } else if (word == (polygons_ ? "POLYGONS" : "CELLS")) {
       read_cells();
+    } else if (polygons_ && (word == "VERTICES" || word == "LINES")) {
+      const VtkGrid before = grid_;
+      read_cells();
+      grid_ = before;
+    } else if (word == "TRIANGLE_STRIPS") {
+      in_.fail("strips of triangles are not read; vtkTriangleFilter makes triangles of them");
     } else if (word == "CELL_TYPES") {
       grid_.types = numbers<std::int64_t>(vtk_type(in_, "int"), in_.whole("the number of cell types"));
     } else if (word == "CELL_DATA" || word == "POINT_DATA") {
@@ -82,10 +102,10 @@ class VtkReader {
   void read_cells() {
     const std::int64_t count = in_.whole("the number of cells"), total = in_.whole("the number of numbers");
     if (version_ < 5) return split(numbers<std::int64_t>(vtk_type(in_, "int"), total), count);
-    in_.expect("OFFSETS");
+    expect("OFFSETS");
     const std::vector<std::int64_t> starts =
         numbers<std::int64_t>(vtk_type(in_, in_.word("the type of offsets")), count);
-    in_.expect("CONNECTIVITY");
+    expect("CONNECTIVITY");
     grid_.nodes = numbers<std::int64_t>(vtk_type(in_, in_.word("the type of the nodes")), total);
     if (starts.empty() || starts[0] != 0) in_.fail("the first offset should be 0");
     grid_.ends.assign(starts.begin() + 1, starts.end());
@@ -110,7 +130,7 @@ class VtkReader {
   }
 
   // Values of cells or points: passed over, but for integers of the cells.
-  void read_attribute(std::string_view word) {
+  void read_attribute(const std::string& word) {
     if (word == "FIELD") return read_field();
     const std::string name(in_.word("the name of the values"));
     if (word == "LOOKUP_TABLE") {
@@ -123,7 +143,7 @@ class VtkReader {
     const VtkType& type = vtk_type(in_, in_.word("the type of values"));
     if (scalars) {
       if (!in_.line_finished()) components = in_.integer("the number of components", 1, 4);
-      in_.expect("LOOKUP_TABLE");
+      expect("LOOKUP_TABLE");
       in_.word("the name of a table");
     }
     keep(name, type, components, tuples_);
@@ -173,17 +193,36 @@ class VtkReader {
 
   Cursor& in_;
   double version_ = 0;
-  bool binary_ = false, of_cells_ = false;
+  bool binary_ = false, of_cells_ = false, polygons_ = false;
   std::int64_t tuples_ = 0;
   VtkGrid grid_;
 };
+
+sim::Mesh surface_of(Cursor& in, const VtkGrid& grid, std::vector<std::string>& remarks) {
+  FaceSet faces(0);
+  for (std::size_t i = 0; i + 2 < grid.points.size(); i += 3) {
+    const Eigen::Vector3d& X = faces.vertices.emplace_back(Eigen::Map<const Eigen::Vector3d>(grid.points.data() + i));
+    if (!X.allFinite()) in.fail("a coordinate is not a finite number");
+  }
+  std::size_t start = 0;
+  for (const std::int64_t end : grid.ends) {
+    if (end < static_cast<std::int64_t>(start) || end > static_cast<std::int64_t>(grid.nodes.size()))
+      in.fail("the offsets of the polygons should rise, to the number of nodes");
+    std::vector<int> corners;
+    for (; start < static_cast<std::size_t>(end); ++start)
+      corners.push_back(faces.checked_vertex(in, grid.nodes[start]));
+    faces.add(in, corners);
+  }
+  return faces.mesh(in, remarks);
+}
 
 }  // namespace
 
 sim::Mesh read_vtk(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name);
-  const VtkGrid grid = VtkReader(in).read();
-  return make_mesh(in, grid, remarks);
+  VtkReader reader(in);
+  const VtkGrid grid = reader.read();
+  return reader.polygons() ? surface_of(in, grid, remarks) : make_mesh(in, grid, remarks);
 }
 
 }  // namespace app

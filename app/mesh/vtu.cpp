@@ -1,5 +1,6 @@
 #include "app/mesh/vtu.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "app/mesh/vtk_grid.h"
@@ -8,9 +9,13 @@
 namespace app {
 namespace {
 
+struct VtuArray {
+  std::string around;  // name of the tag around it
+  XmlTag tag;
+};
 struct VtuArrays {
   VtuCoding coding;
-  std::vector<std::pair<std::string, XmlTag>> tags;  // of the DataArrays, with the name of the tag around each
+  std::vector<std::vector<VtuArray>> pieces;
 };
 
 void read_file_tag(const Cursor& in, const XmlTag& tag, VtuCoding& coding) {
@@ -38,14 +43,13 @@ void read_appended(Cursor& in, const XmlTag& tag, VtuCoding& coding) {
 VtuArrays find_arrays(Cursor& in) {
   VtuArrays arrays;
   std::string around;
-  int pieces = 0;
   for (XmlTag tag = next_tag(in); !tag.name.empty(); tag = next_tag(in)) {
     if (tag.name == "VTKFile") {
       read_file_tag(in, tag, arrays.coding);
-    } else if (tag.name == "Piece" && ++pieces > 1) {
-      in.fail("a second Piece; one is read: save the grid as one piece");
-    } else if (tag.name == "DataArray") {
-      arrays.tags.emplace_back(around, tag);
+    } else if (tag.name == "Piece") {
+      arrays.pieces.emplace_back();
+    } else if (tag.name == "DataArray" && !arrays.pieces.empty()) {
+      arrays.pieces.back().push_back({around, tag});
     } else if (tag.name == "AppendedData") {
       read_appended(in, tag, arrays.coding);
       break;
@@ -53,8 +57,52 @@ VtuArrays find_arrays(Cursor& in) {
       around = tag.name;
     }
   }
-  if (pieces == 0) in.fail("the file has no Piece of an UnstructuredGrid");
+  if (arrays.pieces.empty()) in.fail("the file has no Piece of an UnstructuredGrid");
   return arrays;
+}
+
+VtkGrid read_piece(Cursor& in, const std::vector<VtuArray>& arrays, const VtuCoding& coding) {
+  VtkGrid grid;
+  for (const auto& [around, tag] : arrays) {
+    const std::string array = tag.attribute("Name");
+    const std::string components = tag.attribute("NumberOfComponents");
+    if (around == "Points") grid.points = read_vtu_array<double>(in, tag, coding);
+    if (around == "Cells" && array == "connectivity") grid.nodes = read_vtu_array<std::int64_t>(in, tag, coding);
+    if (around == "Cells" && array == "offsets") grid.ends = read_vtu_array<std::int64_t>(in, tag, coding);
+    if (around == "Cells" && array == "types") grid.types = read_vtu_array<std::int64_t>(in, tag, coding);
+    if (around == "CellData" && (components.empty() || components == "1") &&
+        vtk_type(in, tag.attribute("type")).integer)
+      grid.integers.emplace_back(array, read_vtu_array<std::int64_t>(in, tag, coding));
+  }
+  return grid;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+// Each piece counts its points and nodes from 0. Arrays that not every piece has are no longer one number a cell.
+void append(const Cursor& in, VtkGrid& grid, const VtkGrid& piece) {
+  const auto points = static_cast<std::int64_t>(grid.points.size() / 3);
+  const auto nodes = static_cast<std::int64_t>(grid.nodes.size());
+  for (const std::int64_t node : piece.nodes) {
+    if (node < 0 || node >= static_cast<std::int64_t>(piece.points.size() / 3))
+      in.fail("a cell refers to point " + std::to_string(node) + ", which its piece does not have");
+    grid.nodes.push_back(points + node);
+  }
+  for (const std::int64_t end : piece.ends) {
+    if (end < 0 || end > static_cast<std::int64_t>(piece.nodes.size()))
+      in.fail("an offset is " + std::to_string(end) + ", but the piece has " + std::to_string(piece.nodes.size()) +
+              " nodes in its cells");
+    grid.ends.push_back(nodes + end);
+  }
+  append(grid.points, piece.points);
+  append(grid.types, piece.types);
+  for (const auto& [name, numbers] : piece.integers) {
+    const auto known = std::ranges::find(grid.integers, name, [](const auto& array) { return array.first; });
+    if (known != grid.integers.end()) append(known->second, numbers);
+  }
 }
 
 }  // namespace
@@ -62,18 +110,9 @@ VtuArrays find_arrays(Cursor& in) {
 sim::Mesh read_vtu(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name);
   const VtuArrays arrays = find_arrays(in);
-  VtkGrid grid;
-  for (const auto& [around, tag] : arrays.tags) {
-    const std::string array = tag.attribute("Name");
-    const std::string components = tag.attribute("NumberOfComponents");
-    if (around == "Points") grid.points = read_vtu_array<double>(in, tag, arrays.coding);
-    if (around == "Cells" && array == "connectivity") grid.nodes = read_vtu_array<std::int64_t>(in, tag, arrays.coding);
-    if (around == "Cells" && array == "offsets") grid.ends = read_vtu_array<std::int64_t>(in, tag, arrays.coding);
-    if (around == "Cells" && array == "types") grid.types = read_vtu_array<std::int64_t>(in, tag, arrays.coding);
-    if (around == "CellData" && (components.empty() || components == "1") &&
-        vtk_type(in, tag.attribute("type")).integer)
-      grid.integers.emplace_back(array, read_vtu_array<std::int64_t>(in, tag, arrays.coding));
-  }
+  VtkGrid grid = read_piece(in, arrays.pieces[0], arrays.coding);
+  for (std::size_t k = 1; k < arrays.pieces.size(); ++k)
+    append(in, grid, read_piece(in, arrays.pieces[k], arrays.coding));
   if (grid.points.empty() || grid.types.empty()) in.fail("the grid has no points or no cells");
   return make_mesh(in, grid, remarks);
 }

@@ -2,6 +2,7 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/base/base64.h"
@@ -96,6 +97,26 @@ class VtuBytes {
   bool base64_;
 };
 
+// Up to the next tag, which may follow a number without a blank.
+template <class T>
+void read_words(Cursor& in, std::vector<T>& numbers) {
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t start = in.position();
+  const std::string_view text = in.up_to('<');
+  for (std::size_t at = text.find_first_not_of(blanks); at != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+    T number{};
+    if (!parse(text.substr(at, end - at), number)) {
+      in.go_to(start + at);
+      in.word("a number");  // errors point at it
+      in.fail("a number is " + quote(text.substr(at, end - at)) + "; it should be " +
+              (std::is_same_v<T, double> ? "a real number" : "a whole number of 64 bits"));
+    }
+    numbers.push_back(number);
+    at = text.find_first_not_of(blanks, end);
+  }
+}
+
 }  // namespace
 
 template <class T>
@@ -107,10 +128,7 @@ std::vector<T> read_vtu_array(Cursor& in, const XmlTag& tag, const VtuCoding& co
   const std::string format = tag.attribute("format");
   std::vector<T> numbers;
   if (format == "ascii") {
-    while (!in.finished() && in.peek() != '<') {
-      if constexpr (std::is_same_v<T, double>) numbers.push_back(in.real("a number"));
-      if constexpr (!std::is_same_v<T, double>) numbers.push_back(in.whole("a number"));
-    }
+    read_words(in, numbers);
     return numbers;
   }
   const bool appended = format == "appended";

@@ -141,10 +141,10 @@ TEST(MeshFormats, ErrorsSayPlaceValueAndRemedy) {
   EXPECT_EQ(message("*NODE\n1, 0, , 0\n", "a.inp"), "a.inp:2: a coordinate is \"\"; it should be a finite number");
   EXPECT_EQ(message("*ELEMENT, TYPE=C3D4\n1,1,2,3,4\n*ELSET,ELSET=a\nb\n*ELSET,ELSET=b\na\n", "a.inp"),
             "a.inp:4: the set \"b\" contains itself");
-  EXPECT_EQ(message("# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n", "a.vtk"),
-            "a.vtk:4: the data are \"POLYDATA\"; they should be UNSTRUCTURED_GRID");
+  EXPECT_EQ(message("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\n", "a.vtk"),
+            "a.vtk:4: the data are \"STRUCTURED_GRID\"; they should be UNSTRUCTURED_GRID or POLYDATA");
   EXPECT_EQ(message("MeshVersionFormatted 2\nDimension 3\nTetrahedra\n1\n1 2 3 4 0\n", "a.mesh"),
-            "a.mesh:3: elements stand before Vertices; they should follow");
+            "a.mesh:5: the file ends without Vertices");
   EXPECT_EQ(message("ply\nformat xml 1.0\n", "a.ply"),
             "a.ply:2: the format is \"xml\"; it should be ascii, binary_little_endian or binary_big_endian");
   EXPECT_EQ(message("<VTKFile type=\"PolyData\">\n", "a.vtu"),
