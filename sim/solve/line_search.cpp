@@ -48,7 +48,8 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
     const double fall = before - potential_here - noise;
     if (fall >= -armijo * a * slope - 2 * noise) {
       const bool plane = may_lengthen && a == 1 && fall > straight * -slope;
-      return {plane ? lengthen(stage, motion, before, slope, potential_here, x, v) : a, fall, -slope};
+      if (plane) a = lengthen(stage, motion, before, slope, potential_here, x, v);
+      return {a, before - potential_here - noise, -slope};
     }
     if (potential_here <= before + fine) {
       const double there = slope_at(stage, motion, report);
@@ -64,7 +65,8 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
 // A whole step has lowered the potential almost as if it were a plane: the tangent, made definite, is too stiff along
 // dx_. Goes on to where the parabola through slope and fall is lowest,
 //   fall(a) = promised (a - c a^2):  a = 1/(2c),
-// as long as that lowers it further, and no further than terms allow. Returns the step.
+// or less far, where it is no lower there, as long as that lowers it further, and no further than terms allow. Returns
+// the step.
 double Newton::lengthen(const StageProblem& stage, const Motion& motion, double before, double slope,
                         double& potential_here, Eigen::VectorXd& x, Eigen::VectorXd& v) {
   constexpr int most_tries = 10;
@@ -73,18 +75,23 @@ double Newton::lengthen(const StageProblem& stage, const Motion& motion, double 
   double a = 1;
   for (int k = 0; k < most_tries; ++k) {
     const double share = (before - potential_here - noise) / (a * -slope);
-    const double longer = share < 1 ? std::min(1 / (2 * (1 - share)), most_at_once) : most_at_once;
-    if (longer < worth_it) break;
+    double longer = share < 1 ? std::min(1 / (2 * (1 - share)), most_at_once) : most_at_once;
     product_ = (longer - 1) * a * dx_;
-    if (tangent_.largest_step(motion, product_) < 1) break;
-    move(stage, longer * a, x, v);
-    const double after = potential(stage, motion);
-    if (!(after < potential_here)) {
+    if (longer < worth_it || tangent_.largest_step(motion, product_) < 1) break;
+    double after = potential_here;
+    bool as_far_as_it_looks = true;
+    for (; longer >= worth_it; longer = std::sqrt(longer), as_far_as_it_looks = false) {
+      move(stage, longer * a, x, v);
+      after = potential(stage, motion);
+      if (after < potential_here) break;
+    }
+    if (longer < worth_it) {
       move(stage, a, x, v);
       break;
     }
     potential_here = after;
     a *= longer;
+    if (!as_far_as_it_looks) break;
   }
   return a;
 }

@@ -217,7 +217,6 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
   int k = 0;
   for (; k < most; ++k) {
     const Definiteness first = exactness.next();
-    const int factors = report.factorisations;
     if (!direction(stage, motion, first, full_step_before, linear, report)) {
       report.failure = "the forces or the Newton direction are not finite";
       return false;
@@ -247,7 +246,7 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
       break;
     }
     full_step_before = step.a == 1;
-    exactness.look(step.a >= 1 && report.factorisations <= factors + 1, report.increment);
+    exactness.look(made_ == first, step.a >= 1, step.fall, report.increment);
   }
   report.converged = false;
   if (k == most) report.reason = "solver.max_iterations reached";

@@ -1,5 +1,6 @@
 #include "sim/term/untangle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -104,6 +105,13 @@ void UntangleTerm::begin_step(const Motion& start, Store& store) const {
   goals.drawn.assign(goals.drawn.size(), false);
   for (const Part& part : parts_)
     if (part.tangle.count(start.x).any()) aim(part, start, goals);
+}
+
+bool UntangleTerm::draws(std::span<const std::unique_ptr<Store>> stores) {
+  return std::ranges::any_of(stores, [](const std::unique_ptr<Store>& store) {
+    const auto* goals = dynamic_cast<const Goals*>(store.get());
+    return goals && std::ranges::count(goals->drawn, true) > 0;
+  });
 }
 
 template <class F>

@@ -5,8 +5,13 @@
 //   V_e/l_e^2/n_e
 // l_e the size of an element, n_e its nodes, s the strength; R, x_mean, v_mean fit best when the step begins. [after
 // shape matching, Mueller et al. 2005] A part that is not tangled feels nothing. Pinned nodes lead the fit.
+//
+// Nodes are drawn over distances of the body's size within a step, on ways that no scheme resolves. A second stage, or
+// a force from before, would make a spin of many radians a step out of them, which the scheme sustains: so such a step
+// is one of backward Euler, x x M v of whose end is that of its start. [time/implicit.cpp]
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/body/pins.h"
@@ -22,6 +27,9 @@ class UntangleTerm final : public Term {
   // term.
   UntangleTerm(const Body& body, const std::vector<int>& material, int first_node, const Eigen::VectorXd& X,
                const Pins& pins, int D);
+
+  // In the step that has begun with these stores, of all terms, something is drawn.
+  static bool draws(std::span<const std::unique_ptr<Store>> stores);
 
   TermInfo info() const override;
   Role role() const override { return Role::own; }

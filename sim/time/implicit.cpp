@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/solve/stopwatch.h"
+#include "sim/term/untangle.h"
 #include "sim/time/finish.h"
 
 namespace sim {
@@ -171,13 +172,16 @@ const Scheme& ImplicitStepper::scheme_of(const Interval& interval) const {
 }
 
 // next_ from `begin` over the interval; false where the equations are not solved.
-bool ImplicitStepper::attempt(const Interval& interval, const Scheme& scheme, const State& begin_state,
+bool ImplicitStepper::attempt(const Interval& interval, const Scheme& asked, const State& begin_state,
                               StepReport& report) {
   const auto& [t, t_end, h, depth] = interval;
   const bool released = model_.pins.released(t_end) != model_.pins.released(t);
   const Motion begin{begin_state.x, begin_state.v, t, 0};
   if (released) next_.kept.what = 0;
   newton_.begin_step(begin, t_end, next_.kept);
+  // What untangles leaps.
+  const bool leaps = !asked.is_static && UntangleTerm::draws(newton_.tangent().stores());
+  const Scheme& scheme = leaps ? *find_scheme("backward-euler") : asked;
   if (next_.force.size() == 0 || released) {
     next_.force.resize(model_.dofs());
     newton_.tangent().forces({begin_state.x, begin_state.v, t, 0, 0}, next_.force);

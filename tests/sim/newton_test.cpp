@@ -1,10 +1,12 @@
 // What Newton's method does where energies are hardly told apart, where its tangent is too stiff, and when it ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "sim/build/build.h"
+#include "sim/solve/exactness.h"
 #include "sim/solve/progress.h"
 #include "sim/term/term.h"
 #include "sim/time/implicit.h"
@@ -90,6 +92,72 @@ TEST(Newton, StepsAreLongerWhereTheTangentIsTooStiff) {
   EXPECT_TRUE(right.converged);
   EXPECT_TRUE(stiff.converged) << stiff.reason;
   EXPECT_LT(stiff.newton, 30);
+}
+
+// Iterations with a tangent made definite whose increments fall to so much of the one before, until the exact one is
+// tried.
+int until_exact(Exactness& exactness, double left, double& increment) {
+  int count = 0;
+  for (; exactness.next() != Definiteness::none && count < 1000; ++count)
+    exactness.look(true, true, 1, increment *= left);
+  return count;
+}
+
+TEST(Exactness, IsTriedWhereTheDefiniteTangentIsSlowAndKeptWhereItIsGood) {
+  Exactness exactness(Definiteness::clamp, false);
+  double increment = 1;
+  EXPECT_EQ(until_exact(exactness, 0.1, increment), 1000);
+  increment = 1;
+  Exactness slow(Definiteness::clamp, false);
+  EXPECT_EQ(until_exact(slow, 0.5, increment), 2);
+  for (int k = 0; k < 5; ++k) {
+    slow.look(true, true, 1, increment *= 0.1);
+    EXPECT_EQ(slow.next(), Definiteness::none);
+  }
+}
+
+// A cut step is good only where it falls further than the definite tangent's, and only where that one creeps.
+TEST(Exactness, ACutStepIsGoodWhereTheOthersCreep) {
+  for (const double left : {0.9, 0.5})
+    for (const double fall : {2.0, 0.5}) {
+      Exactness exactness(Definiteness::clamp, false);
+      double increment = 1;
+      until_exact(exactness, left, increment);
+      exactness.look(true, false, fall, increment);
+      EXPECT_EQ(exactness.next() == Definiteness::none, left == 0.9 && fall == 2) << left << " " << fall;
+    }
+}
+
+// It waits ever longer for the next try, but not for ever.
+TEST(Exactness, ComesBackHoweverOftenItWasInVain) {
+  Exactness exactness(Definiteness::clamp, false);
+  double increment = 1;
+  int before = until_exact(exactness, 0.99, increment), count = before;
+  for (int k = 0; k < 10; ++k) {
+    exactness.look(false, true, 1, increment);
+    count = until_exact(exactness, 0.99, increment);
+    EXPECT_GE(count, before);
+    EXPECT_LE(count, 64);
+    before = count;
+  }
+  EXPECT_EQ(count, 64);
+}
+
+// Nearly incompressible and scrambled: what took a thousand iterations takes hundreds, and is solved.
+TEST(Newton, AScrambledBodyThatIsNearlyIncompressibleOrStiffIsSolved) {
+  for (const auto& [young, nu] : {std::pair{1e5, 0.4999}, {1e9, 0.45}})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      Scene scene = block("stable-neo-hookean", "backward-euler", "scrambled", seed);
+      scene.bodies[0].materials[0].young = young;
+      scene.bodies[0].materials[0].poisson = nu;
+      Stepped run(scene);
+      int most = 0;
+      for (int k = 0; k < 40; ++k) {
+        run.steps(1);
+        most = std::max(most, run.last.newton);
+      }
+      EXPECT_LT(most, 400) << young << " " << nu << " " << seed;
+    }
 }
 
 }  // namespace
