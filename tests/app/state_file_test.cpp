@@ -20,7 +20,7 @@ SavedRun example() {
   run.state.v_before = Eigen::VectorXd::Zero(6);
   run.state.v_before[1] = -0.0;
   run.state.force = Eigen::VectorXd::Constant(6, 2.5);
-  run.state.kept = {1, 7, 2, 12, -1, 0.25, 0.5, 60, 3600, run.state.v, run.state.x, run.state.x, run.state.v};
+  run.state.kept = {1, 7, 2, 12, -1, 0.25, 0.5, 60, 3600, 2, run.state.v, run.state.x, run.state.x, run.state.v};
   return run;
 }
 

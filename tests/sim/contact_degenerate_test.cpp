@@ -47,13 +47,13 @@ Mesh upside_down(Mesh mesh, const Vec3& axis) {
   return mesh;
 }
 
-struct Case {
+struct TouchCase {
   const char* name;
   Mesh low, top;
   double meet;  // m: how high the origin of the upper one is where they touch
 };
 
-std::vector<Case> cases() {
+std::vector<TouchCase> cases() {
   const std::vector<Vec3> feet = {{-1, 0, -1}, {0, 0, -1}, {1, 0, -1}, {-1, 0, 0}, {0, 0, 0},
                                   {1, 0, 0},   {-1, 0, 1}, {0, 0, 1},  {1, 0, 1}};
   Mesh half_over = generate_box({1, 0.5, 1}, {2, 1, 2}, {1, 1, 1}, ElementKind::tet4), cliff = half_over;
@@ -67,7 +67,7 @@ std::vector<Case> cases() {
 }
 
 TEST(ContactDegenerate, SharpThingsOnSharpThings) {
-  for (const Case& it : cases()) {
+  for (const TouchCase& it : cases()) {
     SCOPED_TRACE(it.name);
     Scene scene = test::two_boxes(1, 0);
     scene.bodies[0].mesh = it.low;
