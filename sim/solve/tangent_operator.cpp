@@ -42,9 +42,12 @@ void TangentOperator::linearise(const Motion& motion, double c, Definiteness fix
   where_.emplace(*begin_, Motion{x_, v_, motion.t, motion.dv_dx, motion.barriers}, c, fix);
   ++revision_;
   f.setZero();
+  // An iteration that tries the exact tangent keeps that of barriers as the scene has it: the way in which they curve
+  // would lead nodes around what is in their way.
+  const Definiteness barrier_fix = fix == Definiteness::none ? model_.solver.definiteness : fix;
   for (std::size_t k = 0; k < stores_.size(); ++k)
     add_forces_of(k, motion, f, [&](const Term& term, Term::Store& store, Eigen::VectorXd& to) {
-      term.linearise(motion, fix, store, to);
+      term.linearise(motion, term.limits_moves() ? barrier_fix : fix, store, to);
     });
 }
 

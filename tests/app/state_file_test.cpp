@@ -56,10 +56,10 @@ TEST(StateFile, OneStepSchemesHaveNoStepBefore) {
 TEST(StateFile, BytesAreLittleEndianAndInTheDocumentedOrder) {
   const std::string bytes = encode(example());
   EXPECT_EQ(bytes.substr(0, 8), "RITZSTAT");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\4\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\5\0\0\0", 4));
   EXPECT_EQ(bytes.substr(12, 8), "\x10\x32\x54\x76\x98\xba\xdc\xfe");
   EXPECT_EQ(bytes[lengths], 6);
-  EXPECT_EQ(bytes.size(), lengths + 9 * (8 + 6 * 8) + 5 * 8 + 4 * 8 + 8);
+  EXPECT_EQ(bytes.size(), lengths + 9 * (8 + 6 * 8) + 5 * 8 + 5 * 8 + 8);
 }
 
 TEST(StateFile, TruncationAtEveryByteIsNoticed) {
@@ -92,8 +92,8 @@ TEST(StateFile, AbsurdLengthsAreRefusedBeforeAnythingIsAllocated) {
 
 TEST(StateFile, OtherVersionsAndOtherFilesAreNamedAsSuch) {
   std::string newer = encode(example());
-  newer[8] = 5;
-  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 5, this program reads 4"),
+  newer[8] = 6;
+  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 6, this program reads 5"),
             std::string::npos);
   EXPECT_NE(error_of([] { decode("\x89PNG and something else", "state.bin"); }).find("not a state file"),
             std::string::npos);
