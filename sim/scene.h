@@ -2,6 +2,7 @@
 // SI units. Vectors have three numbers; in a 2D scene the third is zero and means nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -68,6 +69,39 @@ struct Traction {
   double ramp = 0;         // s to rise from 0 to value (smoothly)
 };
 
+// A load normal to the surface as it moves, per area as it is.
+struct Pressure {
+  std::optional<Region> where;  // boundary facets all of whose nodes are inside; none: the whole surface
+  double value = 0;             // Pa, against the outward normal: > 0 presses in
+  double ramp = 0;              // s to rise from 0 to value (smoothly)
+};
+
+// A dead load at a material point.
+struct PointForce {
+  Vec3 at = {0, 0, 0};     // material point, m
+  Vec3 value = {0, 0, 0};  // N
+  double ramp = 0;         // s to rise from 0 to value (smoothly)
+};
+
+// What acts on a body from outside.
+struct BodyLoads {
+  std::vector<Traction> tractions;
+  std::vector<Pressure> pressures;
+  std::vector<PointForce> forces;
+
+  // When all of them have their values [s].
+  double risen() const {
+    double end = 0;
+    const auto wait = [&](const auto& loads) {
+      for (const auto& load : loads) end = std::max(end, load.ramp);
+    };
+    wait(tractions);
+    wait(pressures);
+    wait(forces);
+    return end;
+  }
+};
+
 struct Damping {
   double alpha = 0;  // 1/s, times M
   double beta = 0;   // s, times K
@@ -97,7 +131,7 @@ struct Body {
   MassMatrix mass = MassMatrix::lumped;
   Damping damping;
   std::vector<Pin> pins;
-  std::vector<Traction> tractions;
+  BodyLoads loads;
   Vec3 velocity = {0, 0, 0};  // m/s, initial
   Spin spin;
   Start start;

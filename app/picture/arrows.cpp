@@ -61,10 +61,8 @@ double total_force(const sim::System& system, const Document& document) {
   late.v.setZero();
   const sim::Scene& scene = document.scene;
   double total = 0;
-  for (const sim::Body& body : scene.bodies) {
-    for (const sim::Traction& load : body.tractions)
-      late.step = std::max(late.step, std::int64_t(std::ceil(load.ramp / system.step_seconds())));
-  }
+  for (const sim::Body& body : scene.bodies)
+    late.step = std::max(late.step, std::int64_t(std::ceil(body.loads.risen() / system.step_seconds())));
   const Eigen::VectorXd applied = sim::loads(system, late).applied;
   const int D = system.dimension();
   for (Eigen::Index i = 0; i + D <= applied.size(); i += D) total += applied.segment(i, D).norm();

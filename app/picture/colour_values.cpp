@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/element/element.h"
+
 namespace app {
 namespace {
 
@@ -28,11 +30,14 @@ std::array<double, 2> range_of(sim::Quantity quantity, double reach) {
 }
 
 // The strain of a body of length L that its weight, its loads, its pins and its speed cause, roughly:
-// rho g L/E, |traction|/E, way/L, v sqrt(rho/E).
+// rho g L/E, |traction|/E, p/E, of a membrane p L/(2 t E), way/L, v sqrt(rho/E).
 double expected_strain(const sim::Scene& scene, const sim::Body& body, const sim::MaterialSpec& material) {
   const double length = (body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff()).maxCoeff();
   double strain = material.density * scene.world.gravity.norm() * length / material.young;
-  for (const sim::Traction& load : body.tractions) strain = std::max(strain, load.value.norm() / material.young);
+  for (const sim::Traction& load : body.loads.tractions) strain = std::max(strain, load.value.norm() / material.young);
+  const double bearing = sim::info(body.mesh.kind).dimension < scene.dimension ? length / (2 * body.thickness) : 1;
+  for (const sim::Pressure& load : body.loads.pressures)
+    strain = std::max(strain, std::abs(load.value) * bearing / material.young);
   for (const sim::Pin& pin : body.pins) {
     for (const sim::Keyframe& pose : pin.motion) {
       strain = std::max({strain, pose.translate.norm() / length, std::abs(pose.degrees) / 180});

@@ -103,6 +103,10 @@ sim::Mesh filled_surface(const MeshSpec& spec, const sim::Mesh& surface, std::ve
   add_remark(remarks, shells.inside_out, "shells were inside out and have been turned");
   add_remark(remarks, shells.cavities, "shells inside of others are walls of cavities");
   add_remark(remarks, filling.crumbs, "parts smaller than 1 % of the body have been left out");
+  constexpr double half = 0.5;
+  if (filling.spanned < half)
+    remarks.push_back("the body is " + percent(filling.spanned) +
+                      " as long as the surface; the rest encloses nothing, or nothing as large as mesh.size");
   return std::move(filling.mesh);
 }
 

@@ -52,6 +52,7 @@ const std::vector<Alternatives>& alternatives() {
       {"body[].mesh", {"box", "rectangle", "sheet", "file", "surface"}, true},
       {"body[].pin[]", {"box", "sphere", "group"}, true},
       {"body[].traction[]", {"box", "sphere", "group"}, true},
+      {"body[].pressure[]", {"box", "sphere", "group"}, false},
       {"body[].start", {"nodes", "file"}, false},
       {"obstacle[]", {"plane", "sphere"}, true},
   };

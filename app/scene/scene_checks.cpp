@@ -110,9 +110,14 @@ void check_body(const sim::Body& body, const std::string& path, Mistakes& mistak
     check_region(body.mesh, body.pins[i].where, sim::GroupPart::nodes, pin, mistakes);
     check_times(body.pins[i].motion, pin + ".motion.keyframes", mistakes);
   }
-  for (std::size_t i = 0; i < body.tractions.size(); ++i) {
-    check_region(body.mesh, body.tractions[i].where, sim::GroupPart::facets, path + ".traction." + std::to_string(i),
-                 mistakes);
+  for (std::size_t i = 0; i < body.loads.tractions.size(); ++i) {
+    check_region(body.mesh, body.loads.tractions[i].where, sim::GroupPart::facets,
+                 path + ".traction." + std::to_string(i), mistakes);
+  }
+  for (std::size_t i = 0; i < body.loads.pressures.size(); ++i) {
+    if (!body.loads.pressures[i].where) continue;
+    check_region(body.mesh, *body.loads.pressures[i].where, sim::GroupPart::facets,
+                 path + ".pressure." + std::to_string(i), mistakes);
   }
   for (std::size_t i = 1; i < body.materials.size(); ++i) {
     check_group(body.mesh, {body.materials[i].group}, sim::GroupPart::elements,
@@ -156,7 +161,8 @@ void check_picture(const Document& document, Mistakes& mistakes) {
     if (view.norm() == 0) {
       mistakes.refuse("camera.target", "must differ from camera.eye");
     } else if (view.normalized().cross(up_of(camera, document.scene.world.gravity)).norm() < 1e-6) {
-      mistakes.refuse("camera.up", "must not lie along the line from camera.eye to camera.target");
+      mistakes.refuse(camera.up ? "camera.up" : "camera.eye",
+                      "up must not lie along the line from camera.eye to camera.target; set camera.up");
     }
   }
   if (!camera.follow.empty()) check_body_name(document, camera.follow, "camera.follow", mistakes);

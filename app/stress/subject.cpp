@@ -73,7 +73,7 @@ Subject subject_of(const sim::Scene& scene) {
   s.scene.probes.clear();
   for (sim::Body& body : s.scene.bodies) {
     body.pins.clear();
-    body.tractions.clear();
+    body.loads = {};
     body.velocity.setZero();
     body.spin = {};
     body.start = {};

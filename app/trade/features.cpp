@@ -22,7 +22,9 @@ void add_body_features(const Document& scene, std::size_t b, std::vector<TradeCa
   add(body.damping.alpha > 0, "damping alpha", "damping.alpha", "0");
   add(body.damping.beta > 0, "damping beta", "damping.beta", "0");
   add(body.mass == sim::MassMatrix::consistent, "consistent mass (lumped instead)", "mass", "lumped");
-  add(!body.tractions.empty(), "tractions", "traction", "[]");
+  add(!body.loads.tractions.empty(), "tractions", "traction", "[]");
+  add(!body.loads.pressures.empty(), "pressures", "pressure", "[]");
+  add(!body.loads.forces.empty(), "forces at points", "force", "[]");
   add(body.materials.size() > 1, "regions of other material", "region", "[]");
   add(element.order == 2, "quadratic elements (" + linear + " instead)", "mesh.element", linear);
   add(model != "linear", "nonlinear material (linear instead)", "material.model", "linear");

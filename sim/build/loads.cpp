@@ -4,7 +4,11 @@
 #include <utility>
 
 #include "sim/build/key_path.h"
+#include "sim/element/element.h"
+#include "sim/mesh/boundary.h"
 #include "sim/mesh/locate.h"
+#include "sim/term/point_force.h"
+#include "sim/term/pressure.h"
 #include "sim/term/spring.h"
 #include "sim/term/traction.h"
 
@@ -17,6 +21,18 @@ std::pair<std::vector<int>, std::vector<double>> weighted_nodes(const ProbePlace
   for (std::size_t a = 0; a < place.point.weights.size(); ++a)
     nodes.push_back(place.first_node + place.mesh->elements(static_cast<Eigen::Index>(a), place.point.element));
   return {nodes, place.point.weights};
+}
+
+void add_pressure(Model& model, std::size_t b, const Pressure& pressure) {
+  const Body& body = model.bodies[b];
+  const Eigen::MatrixXi facets = pressure.where                              ? facets_in(body.mesh, *pressure.where)
+                                 : info(body.mesh.kind).dimension == model.D ? boundary_facets(body.mesh)
+                                                                             : surface_facets(body.mesh);
+  if (facets.cols() == 0) throw InputError("value", "no boundary facet of \"" + body.name + "\" is in this region");
+  if (info(body.mesh.kind).dimension < model.D && facets.rows() != body.mesh.elements.rows())
+    throw InputError("value", "there are edges of \"" + body.name + "\" in this region, but no face to press on");
+  model.terms.push_back(
+      std::make_unique<PressureLoad>(body, pressure, facets, model.ranges[b].first_node, model.X, model.D));
 }
 
 }  // namespace
@@ -32,12 +48,20 @@ ProbePlace find_point(const Model& model, const std::string& key, const std::str
 
 void add_loads(Model& model, std::size_t b) {
   const Body& body = model.bodies[b];
-  for (std::size_t k = 0; k < body.tractions.size(); ++k) {
+  for (std::size_t k = 0; k < body.loads.tractions.size(); ++k) {
     const std::string key = key_of("body", b) + "." + key_of("traction", k);
-    const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.tractions[k].where); });
+    const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.loads.tractions[k].where); });
     if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
-    model.terms.push_back(
-        std::make_unique<TractionLoad>(body, body.tractions[k], facets, model.ranges[b].first_node, model.X, model.D));
+    model.terms.push_back(std::make_unique<TractionLoad>(body, body.loads.tractions[k], facets,
+                                                         model.ranges[b].first_node, model.X, model.D));
+  }
+  for (std::size_t k = 0; k < body.loads.pressures.size(); ++k)
+    below(key_of("body", b) + "." + key_of("pressure", k), [&] { add_pressure(model, b, body.loads.pressures[k]); });
+  for (std::size_t k = 0; k < body.loads.forces.size(); ++k) {
+    const PointForce& force = body.loads.forces[k];
+    const auto [nodes, weights] =
+        weighted_nodes(find_point(model, key_of("body", b) + "." + key_of("force", k), body.name, force.at));
+    model.terms.push_back(std::make_unique<PointLoad>(body.name, force, nodes, weights, model.D));
   }
 }
 

@@ -11,7 +11,7 @@ namespace sim {
 // The body and the material point that a key names. Throws InputError.
 ProbePlace find_point(const Model& model, const std::string& key, const std::string& body, const Vec3& at);
 
-// Tractions on body b, and springs. Throw InputError.
+// Tractions, pressures and point forces on body b, then springs. Throw InputError.
 void add_loads(Model& model, std::size_t b);
 void add_springs(Model& model, const std::vector<Spring>& springs);
 

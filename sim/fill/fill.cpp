@@ -201,6 +201,8 @@ Filling fill(const Mesh& surface, double size) {
                          ? "encloses nothing: " + std::to_string(filling.shells.open_edges) + " of its edges are open"
                          : "encloses nothing as large as mesh.size");
   filling.crumbs = drop_crumbs(filling.mesh);
+  const Eigen::Matrix3Xd inside = filling.mesh.X;
+  filling.spanned = (inside.rowwise().maxCoeff() - inside.rowwise().minCoeff()).maxCoeff() / (high - low).maxCoeff();
   filling.smallest_angle = smallest_dihedral(filling.mesh);
   return filling;
 }

@@ -14,6 +14,7 @@ struct Filling {
   Shells shells;
   double smallest_angle = 0;  // degrees, of all dihedral angles
   int crumbs = 0;             // parts of less than 1/100 of the volume, left out
+  double spanned = 0;         // the longest side of the body's box, of that of the surface's
 };
 
 // size: about the length of the edges [m]. The surface is of triangles in space. Throws InputError (key "mesh.surface",

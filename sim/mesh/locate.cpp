@@ -174,9 +174,11 @@ std::vector<int> nodes_in(const Mesh& mesh, const Region& region) {
 }
 
 Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
+  const bool membrane = mesh.dimension() == 3 && info(mesh.kind).dimension == 2;
   if (const auto* named = std::get_if<InGroup>(&region)) {
     const Group& group = find_group(mesh, *named, GroupPart::facets);
     if (group.facets.cols() > 0) return group.facets;
+    if (membrane && !group.elements.empty()) return mesh.elements(Eigen::indexing::all, group.elements);
   }
   const auto in = inside(mesh, region);
   const auto chosen_of = [&](const Eigen::MatrixXi& all) -> Eigen::MatrixXi {
@@ -187,7 +189,7 @@ Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
     }
     return all(Eigen::indexing::all, chosen);
   };
-  if (mesh.dimension() == 3 && info(mesh.kind).dimension == 2) {
+  if (membrane) {
     const Eigen::MatrixXi faces = chosen_of(mesh.elements);
     if (faces.cols() > 0) return faces;
   }

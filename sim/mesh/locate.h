@@ -33,8 +33,8 @@ const Group& find_group(const Mesh& mesh, const InGroup& where, GroupPart part);
 std::vector<int> nodes_in(const Mesh& mesh, const Region& region);
 
 // Boundary facets all of whose nodes are in the region, nodes per facet x facets, outward. For a group: the facets it
-// names, or, when it names none, those between its nodes. Of a membrane: the elements all of whose nodes are in the
-// region; its edges only where there are none. May be empty. Throws as find_group.
+// names, or, when it names none, those between its nodes. Of a membrane: the group's elements, or all whose nodes are
+// in the region; its edges only where there are none. May be empty. Throws as find_group.
 Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region);
 
 }  // namespace sim

@@ -34,7 +34,7 @@ Scene alone(const Scene& scene, std::size_t number) {
   Body& body = one.bodies[0];
   body.start = {};
   body.damping = {};
-  body.tractions.clear();
+  body.loads = {};
   body.untangle = 0;
   return one;
 }

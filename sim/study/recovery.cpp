@@ -71,7 +71,7 @@ double script_end(const Model& model) {
   for (const Body& body : model.bodies) {
     for (const Pin& pin : body.pins)
       end = std::max({end, pin.motion.empty() ? 0 : pin.motion.back().t, pin.release.value_or(0)});
-    for (const Traction& traction : body.tractions) end = std::max(end, traction.ramp);
+    end = std::max(end, body.loads.risen());
   }
   return end;
 }

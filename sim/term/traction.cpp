@@ -4,6 +4,7 @@
 
 #include "sim/element/list.h"
 #include "sim/mesh/geometry.h"
+#include "sim/term/ramp.h"
 
 namespace sim {
 
@@ -41,18 +42,12 @@ TermInfo TractionLoad::info() const {
   return {"traction " + body_, what.str()};
 }
 
-double TractionLoad::share(double t) const {
-  if (t >= traction_.ramp) return 1;
-  const double tau = std::max(t, 0.0) / traction_.ramp;
-  return tau * tau * (3 - 2 * tau);
-}
-
 double TractionLoad::energy(const Motion& motion, Store&) const {
-  return -share(motion.t) * load_.dot(motion.x - X_);
+  return -risen(motion.t, traction_.ramp) * load_.dot(motion.x - X_);
 }
 
 void TractionLoad::add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const {
-  f += share(motion.t) * load_;
+  f += risen(motion.t, traction_.ramp) * load_;
 }
 
 }  // namespace sim

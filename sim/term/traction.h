@@ -1,5 +1,5 @@
 // A dead load on boundary facets: U = -s(t) sum_facets int N_i T . (x_i - X_i) dA, T per rest area [Pa].
-// s(t) rises smoothly from 0 to 1 over the ramp: s = tau^2 (3 - 2 tau), tau = t/ramp.
+// s(t) rises smoothly from 0 to 1 over the ramp (sim/term/ramp.h).
 #pragma once
 
 #include "sim/scene.h"
@@ -22,7 +22,6 @@ class TractionLoad final : public Term {
  private:
   template <class Facet, int Dim>
   void add_load(const Body& body, const Eigen::MatrixXi& facets, double thickness, int first_node, int D);
-  double share(double t) const;
 
   std::string body_;
   Traction traction_;

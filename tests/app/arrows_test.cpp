@@ -16,7 +16,7 @@ Document pulled_box(int cells) {
   body.mesh = sim::generate_box({1, 1, 1}, {cells, cells, cells}, {1, 1, 1}, sim::ElementKind::tet4);
   body.materials = {sim::MaterialSpec{}};
   body.pins = {sim::Pin{sim::InGroup{"bottom"}, "xyz", {}, {}}};
-  body.tractions = {{.where = sim::InGroup{"top"}, .value = {0, 200, 0}}};
+  body.loads.tractions = {{.where = sim::InGroup{"top"}, .value = {0, 200, 0}}};
   document.scene.bodies = {body};
   return document;
 }
@@ -49,7 +49,7 @@ TEST(Arrows, AddUpToTheLoadWhateverTheMesh) {
 
 TEST(Arrows, WhatIsHeldAnswersTheElasticForce) {
   Document document = pulled_box(3);
-  document.scene.bodies[0].tractions.clear();
+  document.scene.bodies[0].loads.tractions.clear();
   document.look.forces = true;
   document.look.force_scale = 1e-6;
   const sim::System system(document.scene);

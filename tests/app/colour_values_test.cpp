@@ -54,13 +54,13 @@ TEST(ColourRange, ASceneTellsWhatIsToBeExpected) {
   EXPECT_NEAR(expected_reach(Quantity::stress, scene), weight, 1);
   EXPECT_NEAR(expected_reach(Quantity::stretch, scene), weight / 1e6, 1e-6);
   EXPECT_NEAR(expected_reach(Quantity::energy, scene), weight * weight / 1e6 / 2, 1);
-  body.tractions = {{.where = {}, .value = {0, 2e5, 0}}};
+  body.loads.tractions = {{.where = {}, .value = {0, 2e5, 0}}};
   EXPECT_NEAR(expected_reach(Quantity::stress, scene), 2e5, 1);
   body.pins.resize(1);
   body.pins[0].motion = {{.t = 1, .translate = {1.2, 0, 0}}};
   EXPECT_NEAR(expected_reach(Quantity::stretch, scene), 0.3, 1e-9);
   scene.world.gravity.setZero();
-  body.tractions.clear();
+  body.loads.tractions.clear();
   body.pins.clear();
   EXPECT_NEAR(expected_reach(Quantity::stress, scene), 100, 1e-9);  // a strain of 1e-4: no rounding errors in colour
 }

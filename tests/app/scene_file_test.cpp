@@ -50,9 +50,9 @@ TEST_F(SceneFile, EveryFieldIsFilled) {
   EXPECT_EQ(beam.pins[1].motion[1].translate, Vec3(0, 1, 0));
   EXPECT_EQ(beam.pins[1].motion[1].axis, Vec3(0, 1, 0));
   EXPECT_EQ(beam.pins[1].motion[1].degrees, 90);
-  ASSERT_EQ(beam.tractions.size(), 1U);
-  EXPECT_EQ(std::get<sim::InGroup>(beam.tractions[0].where).name, "right");
-  EXPECT_EQ(beam.tractions[0].value, Vec3(0, 5, 0));
+  ASSERT_EQ(beam.loads.tractions.size(), 1U);
+  EXPECT_EQ(std::get<sim::InGroup>(beam.loads.tractions[0].where).name, "right");
+  EXPECT_EQ(beam.loads.tractions[0].value, Vec3(0, 5, 0));
   ASSERT_EQ(scene.obstacles.size(), 2U);
   EXPECT_EQ(std::get<sim::Plane>(scene.obstacles[0].shape).normal, Vec3(0, 0.6, 0.8));
   EXPECT_EQ(std::get<sim::Sphere>(scene.obstacles[1].shape).centre, Vec3(9, 0, 0));

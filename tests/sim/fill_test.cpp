@@ -5,68 +5,14 @@
 
 #include "sim/fill/carry.h"
 #include "sim/fill/winding.h"
-#include "sim/math/chosen.h"
-#include "sim/mesh/check.h"
 #include "sim/mesh/dihedral.h"
-#include "sim/mesh/refine.h"
 #include "tests/sim/mesh_support.h"
+#include "tests/sim/surfaces.h"
 
 namespace sim::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Mesh surface_of(const Eigen::Matrix3Xd& X, const Eigen::Matrix3Xi& triangles) {
-  Mesh mesh;
-  mesh.kind = ElementKind::tri3;
-  mesh.X = X;
-  mesh.elements = triangles;
-  return mesh;
-}
-
-// 20 triangles split `times` times, on a sphere.
-Mesh ball(double radius, const Vec3& centre = Vec3::Zero(), int times = 3) {
-  const double g = (1 + std::sqrt(5.0)) / 2;
-  Mesh mesh;
-  mesh.kind = ElementKind::tri3;
-  mesh.X.resize(3, 12);
-  mesh.X << -1, 1, -1, 1, 0, 0, 0, 0, g, g, -g, -g, g, g, -g, -g, -1, 1, -1, 1, 0, 0, 0, 0, 0, 0, 0, 0, g, g, -g, -g,
-      -1, 1, -1, 1;
-  mesh.elements.resize(3, 20);
-  mesh.elements << 0, 0, 0, 0, 0, 1, 5, 11, 10, 7, 3, 3, 3, 3, 3, 4, 2, 6, 8, 9, 11, 5, 1, 7, 10, 5, 11, 10, 7, 1, 9, 4,
-      2, 6, 8, 9, 4, 2, 6, 8, 5, 1, 7, 10, 11, 9, 4, 2, 6, 8, 4, 2, 6, 8, 9, 5, 11, 10, 7, 1;
-  for (int k = 0; k < times; ++k) mesh = refine(mesh);
-  for (auto x : mesh.X.colwise()) x = (centre + radius * Vec3(x).normalized()).eval();
-  return mesh;
-}
-
-Mesh block_surface(const Vec3& lengths, const Vec3& corner = Vec3::Zero()) {
-  const Mesh solid = generate_box(lengths, {4, 4, 4}, {1, 1, 1}, ElementKind::tet4);
-  Mesh mesh = surface_of(solid.X.colwise() + corner, boundary_facets(solid));
-  check_and_orient(mesh);
-  return mesh;
-}
-
-Mesh joined(const Mesh& a, const Mesh& b) {
-  Mesh mesh = a;
-  mesh.X.resize(3, a.X.cols() + b.X.cols());
-  mesh.X << a.X, b.X;
-  mesh.elements.resize(3, a.elements.cols() + b.elements.cols());
-  mesh.elements << a.elements, (b.elements.array() + a.node_count()).matrix();
-  return mesh;
-}
-
-Mesh without_triangles(Mesh mesh, int from, int count) {
-  std::vector<int> kept;
-  for (int t = 0; t < mesh.element_count(); ++t)
-    if (t < from || t >= from + count) kept.push_back(t);
-  mesh.elements = chosen_columns(mesh.elements, kept);
-  return mesh;
-}
-
-void turn_over(Mesh& mesh, int from, int count) {
-  for (int t = from; t < from + count; ++t) std::swap(mesh.elements(0, t), mesh.elements(1, t));
-}
 
 std::string reason(const Mesh& surface, double size) {
   try {
@@ -127,42 +73,6 @@ TEST(Fill, EdgesAreAboutAsLongAsAsked) {
   double sum = 0;
   for (const auto& t : mesh.elements.colwise()) sum += (mesh.X.col(t[0]) - mesh.X.col(t[1])).norm();
   EXPECT_NEAR(sum / mesh.element_count(), 0.17, 0.02);  // some are shortened where they are moved onto the surface
-}
-
-TEST(Fill, DirtySurfacesBecomeBodies) {
-  const double whole = 4 * pi / 3;
-  const Filling holes = fill(without_triangles(ball(1), 100, 12), 0.2);
-  EXPECT_GT(holes.shells.open_edges, 3);
-  EXPECT_NEAR(total_measure(holes.mesh), whole, 0.05 * whole);
-
-  Mesh flipped = ball(1);
-  turn_over(flipped, 40, 200);
-  const Filling turned = fill(flipped, 0.2);
-  EXPECT_EQ(turned.shells.turned, 200);
-  EXPECT_NEAR(total_measure(turned.mesh), whole, 0.05 * whole);
-
-  Mesh inverted = ball(1);
-  turn_over(inverted, 0, inverted.element_count());
-  const Filling out = fill(inverted, 0.2);
-  EXPECT_EQ(out.shells.inside_out, 1);
-  EXPECT_NEAR(total_measure(out.mesh), whole, 0.05 * whole);
-
-  // Two that overlap are joined: 2 V minus the lens of height 0.5 on each side, pi h^2 (3 - h)/3.
-  const Filling crossed = fill(joined(ball(1), ball(1, {1, 0, 0})), 0.2);
-  EXPECT_EQ(crossed.shells.count, 2);
-  EXPECT_NEAR(total_measure(crossed.mesh), 2 * whole - 2 * pi * 0.25 * 2.5 / 3, 0.3);
-
-  Mesh inner = ball(0.6);
-  turn_over(inner, 0, inner.element_count());
-  const Filling hollow = fill(joined(ball(1), inner), 0.15);
-  EXPECT_EQ(hollow.shells.cavities, 1);
-  EXPECT_NEAR(total_measure(hollow.mesh), whole * (1 - 0.216), 0.2);
-  // One that is not turned adds nothing to what is full.
-  EXPECT_NEAR(total_measure(fill(joined(ball(1), ball(0.6)), 0.2).mesh), whole, 0.05 * whole);
-
-  Mesh doubled = ball(1);
-  doubled = joined(doubled, doubled);
-  EXPECT_NEAR(total_measure(fill(doubled, 0.2).mesh), whole, 0.05 * whole);
 }
 
 TEST(Fill, CornersAreCutByLessThanAnEdge) {

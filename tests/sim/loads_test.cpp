@@ -18,7 +18,7 @@ TEST(Loads, APinnedBlockIsHeldAgainstWeightAndLoad) {
   body.mesh = generate_box({1, 2, 1}, {2, 4, 2}, {1, 1, 1}, ElementKind::tet4);
   body.materials = {MaterialSpec{"stable-neo-hookean", 1e6, 0.3, 1000, ""}};
   body.pins = {Pin{InGroup{"bottom"}, "xyz", {}, {}}};
-  body.tractions = {{.where = InGroup{"top"}, .value = {300, -500, 0}}};
+  body.loads.tractions = {{.where = InGroup{"top"}, .value = {300, -500, 0}}};
   scene.bodies = {body};
   const System system(scene);
   State state = system.initial_state();

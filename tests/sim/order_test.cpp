@@ -44,7 +44,7 @@ TEST(Order, OfBetaDampingFrozenAndEvaluatedAnew) {
     const auto run = [&](int substeps) {
       Scene scene = test::plate("sdirk2", substeps);
       scene.bodies[0].damping = {0, 0.05};
-      scene.bodies[0].tractions[0].value = {0, 3000, 0};
+      scene.bodies[0].loads.tractions[0].value = {0, 3000, 0};
       scene.solver.lag_iterations = lag_iterations;
       test::Stepped stepped(scene);
       stepped.steps(15 * substeps);
@@ -101,7 +101,7 @@ TEST(Momentum, AngularIsKeptByTheSchemesThatShould) {
 TEST(Energy, BackwardEulerLosesMostTheOthersLittle) {
   const auto lost = [](const char* name) {
     Scene scene = test::plate(name, 1);
-    scene.bodies[0].tractions.clear();
+    scene.bodies[0].loads.tractions.clear();
     scene.bodies[0].velocity = {0, 0.5, 0};
     test::Stepped run(scene);
     const Measures before = run.system.measure(run.state);

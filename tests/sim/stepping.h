@@ -30,7 +30,7 @@ inline Scene plate(const std::string& integrator, int substeps) {
   body.mesh = generate_rectangle({2, 1}, {4, 2}, {1, 1}, ElementKind::tri3);
   body.materials = {MaterialSpec{"stable-neo-hookean", 2e4, 0.3, 1000, ""}};
   body.pins = {Pin{InGroup{"left"}, "xy", {}, {}}};
-  body.tractions = {Traction{InGroup{"right"}, {0, 1000, 0}, 0.5}};
+  body.loads.tractions = {Traction{InGroup{"right"}, {0, 1000, 0}, 0.5}};
   scene.bodies = {body};
   scene.world.gravity = {0, 0, 0};
   scene.probes = {{"tip", "plate", {2, 0.5, 0}}};

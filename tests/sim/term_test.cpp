@@ -19,7 +19,9 @@ Scene everything() {
   Body& body = scene.bodies[0];
   body.pins.clear();
   body.damping = {0.7, 2e-3};
-  body.tractions = {Traction{InGroup{"right"}, {300, -200, 500}, 0.0}};
+  body.loads.tractions = {Traction{InGroup{"right"}, {300, -200, 500}, 0.0}};
+  body.loads.pressures = {Pressure{InGroup{"top"}, 800, 0.0}};
+  body.loads.forces = {PointForce{{3.9, 0.4, 0.3}, {20, -30, 10}, 0.0}};
   body.untangle = 2;
   Obstacle floor{Plane{{0, 0, -0.002}, {0, 0, 1}}, 0.4}, ball{Sphere{{2, 0, 3.002}, 2}, 0.3};
   scene.obstacles = {floor, ball};
@@ -117,7 +119,8 @@ TEST(Construction, OnlyWhatTheSceneNames) {
     return all;
   };
   EXPECT_EQ(names(everything()),
-            "elastic beam;gravity;traction beam;untangle beam;damping beam;obstacle;obstacle;spring beam;");
+            "elastic beam;gravity;traction beam;pressure beam;force beam;untangle beam;damping "
+            "beam;obstacle;obstacle;spring beam;");
   Scene bare = test::beam("tet4", 1);
   EXPECT_EQ(names(bare), "elastic beam;gravity;");
   bare.world.gravity = {0, 0, 0};
@@ -128,7 +131,7 @@ TEST(Traction, AddsUpToItsValueTimesTheArea) {
   for (const char* element : {"tet4", "tet10", "hex8"}) {
     Scene scene = test::beam(element, 2);
     scene.world.gravity = {0, 0, 0};
-    scene.bodies[0].tractions = {Traction{InGroup{"right"}, {30, -20, 50}, 2.0}};
+    scene.bodies[0].loads.tractions = {Traction{InGroup{"right"}, {30, -20, 50}, 2.0}};
     System system(scene);
     const auto& term = *parts_of(system).model.terms[1];
     const Eigen::VectorXd& X = parts_of(system).model.X;
@@ -158,7 +161,7 @@ TEST(Traction, OnAMembraneActsOnItsFaces) {
     body.materials = {MaterialSpec{"stable-neo-hookean", 1e6, 0.3, 1000, ""}};
     scene.world.gravity = {0, 0, 0};
     for (const auto& [low, area] : {std::pair{Vec3(-1, -1, -1), 2.0}, {Vec3(2, -1, -1), 0.01}}) {
-      body.tractions = {Traction{Box{low, {3, 2, 1}}, {0, 0, 50}, 0}};
+      body.loads.tractions = {Traction{Box{low, {3, 2, 1}}, {0, 0, 50}, 0}};
       scene.bodies = {body};
       System system(scene);
       const auto& term = *parts_of(system).model.terms[1];

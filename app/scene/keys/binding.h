@@ -102,14 +102,33 @@ constexpr Binding length = {
     [](const Document& d, const Indices& i) { return std::optional<Value>(std::ssize(owner(d, i).*member)); },
     [](Document& d, const Indices& i, const Value& n) { (owner(d, i).*member).resize(std::get<std::int64_t>(n)); }};
 
+// A variant that may be left out, or one that may not.
+template <class V>
+const V* held_in(const V& variant) {
+  return &variant;
+}
+template <class V>
+const V* held_in(const std::optional<V>& variant) {
+  return variant ? &*variant : nullptr;
+}
+template <class V>
+V& made_in(V& variant) {
+  return variant;
+}
+template <class V>
+V& made_in(std::optional<V>& variant) {
+  return variant ? *variant : variant.emplace();
+}
+
 // One alternative T of the variant owner(document, indices).*member.
 template <auto owner, auto member, class T>
 constexpr Binding alternative = {[](const Document& d, const Indices& i) -> std::optional<Value> {
-                                   const T* held = std::get_if<T>(&(owner(d, i).*member));
+                                   const auto* variant = held_in(owner(d, i).*member);
+                                   const T* held = variant ? std::get_if<T>(variant) : nullptr;
                                    return held ? std::optional<Value>(to_value(*held)) : std::nullopt;
                                  },
                                  [](Document& d, const Indices& i, const Value& value) {
-                                   from_value(value, (owner(d, i).*member).template emplace<T>());
+                                   from_value(value, made_in(owner(d, i).*member).template emplace<T>());
                                  }};
 
 // Owners.
@@ -125,8 +144,17 @@ inline constexpr auto body_of = [](auto& d, const Indices& i) -> auto& {
 inline constexpr auto pin_of = [](auto& d, const Indices& i) -> auto& {
   return body_of(d, i).pins[i[1]];
 };
+inline constexpr auto loads_of = [](auto& d, const Indices& i) -> auto& {
+  return body_of(d, i).loads;
+};
+inline constexpr auto pressure_of = [](auto& d, const Indices& i) -> auto& {
+  return loads_of(d, i).pressures[i[1]];
+};
+inline constexpr auto force_of = [](auto& d, const Indices& i) -> auto& {
+  return loads_of(d, i).forces[i[1]];
+};
 inline constexpr auto traction_of = [](auto& d, const Indices& i) -> auto& {
-  return body_of(d, i).tractions[i[1]];
+  return loads_of(d, i).tractions[i[1]];
 };
 
 // Ranges.

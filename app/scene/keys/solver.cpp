@@ -27,8 +27,9 @@ std::vector<Key> solver_keys() {
        "the step is accepted unsolved, and so slow that it has no more energy than when it began."},
       {"solver.lag_iterations", Form(Kind::integer, "", between(0, 100)),
        field<solver_of, &sim::Solver::lag_iterations>,
-       "Beta damping takes its stiffness, and friction its pressure, from the beginning of the step, which costs them "
-       "an order of accuracy. This many times a stage is solved again with both taken from its own solution."},
+       "Beta damping takes its stiffness, friction its normal forces, and pressure what acts at a free rim from the "
+       "beginning of the step, which costs them an order of accuracy. This many times a stage is solved again with "
+       "these taken from its own solution."},
       {"solver.definiteness", Form(Kind::choice).of(names_of<sim::Definiteness>),
        field<solver_of, &sim::Solver::definiteness>,
        "What is done to negative eigenvalues of an element's stiffness: \"clamp\" sets them to zero, \"abs\" makes "

@@ -8,11 +8,12 @@ namespace app {
 // The dimension of the group in the sim::Region owner(document, indices).*where.
 template <auto owner, auto where>
 constexpr Binding group_dimension = {[](const Document& d, const Indices& i) -> std::optional<Value> {
-                                       const auto* group = std::get_if<sim::InGroup>(&(owner(d, i).*where));
+                                       const auto* region = held_in(owner(d, i).*where);
+                                       const auto* group = region ? std::get_if<sim::InGroup>(region) : nullptr;
                                        return group ? to_optional(group->dimension) : std::nullopt;
                                      },
                                      [](Document& d, const Indices& i, const Value& value) {
-                                       auto& region = owner(d, i).*where;
+                                       auto& region = made_in(owner(d, i).*where);
                                        if (!std::holds_alternative<sim::InGroup>(region)) region = sim::InGroup{};
                                        from_value(value, std::get<sim::InGroup>(region).dimension);
                                      }};
