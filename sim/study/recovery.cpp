@@ -118,15 +118,19 @@ class Gain {
     look(start);
   }
   void look(const Measures& now) {
-    rise_ = std::max(rise_, total(now) - start_);
+    const double rise = total(now) - start_;
+    rise_ = std::max(rise_, rise);
+    above_ = rise > most_ ? above_ + 1 : 0;
     scale_ = std::max(scale_, now.kinetic + now.elastic);
   }
   double share() const { return scale_ > 0 ? rise_ / scale_ : 0; }
-  bool runs_away() const { return rise_ > most_; }
+  // A first step may leap further, and come back.
+  bool runs_away() const { return above_ >= 50; }
 
  private:
   static double total(const Measures& m) { return m.kinetic + m.elastic + m.potential; }
   double start_, most_, rise_ = 0, scale_ = 0;  // J
+  int above_ = 0;                               // looks in a row
 };
 
 void add(const StepReport& report, Recovery& r) {
@@ -176,7 +180,8 @@ Recovery recover(const System& system, State& state, std::int64_t steps, const R
       rest.look(state);
       if (gain) gain->look(system.measure(state));
       if (gain && gain->runs_away())
-        r.failure = "step " + std::to_string(state.step) + ": its energy is a hundred times that of its start";
+        r.failure = "step " + std::to_string(state.step) +
+                    ": its energy has been a hundred times that of its start for 50 steps";
       unsolved = report.converged ? 0 : unsolved + 1;
     } else {
       r.failure = failure_text(system, report);

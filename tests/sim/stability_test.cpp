@@ -143,6 +143,21 @@ TEST(Stability, ACapOfIterationsBlowsUpNoScheme) {
     }
 }
 
+// A scheme that does not hold is told from one that does by its energy, which runs away.
+TEST(Stability, AnEnergyThatRunsAwayEndsARun) {
+  const auto recovery = [](const char* scheme) {
+    const System system(block("stable-neo-hookean", scheme, "scrambled", 1));
+    State state = system.initial_state();
+    return recover(system, state, 300, {.energy = true}, never);
+  };
+  const Recovery runs_away = recovery("trapezoidal"), holds = recovery("tr-bdf2");
+  EXPECT_EQ(runs_away.verdict, Verdict::stopped);
+  EXPECT_NE(runs_away.failure.find("a hundred times"), std::string::npos) << runs_away.failure;
+  EXPECT_LT(runs_away.steps, 100);
+  EXPECT_EQ(holds.failure, "");
+  EXPECT_LT(holds.gain.value_or(1), 0.9);
+}
+
 // The same problem in other units of length: the same shapes, to round-off.
 TEST(Stability, SizeDoesNotMatter) {
   Eigen::VectorXd first;
