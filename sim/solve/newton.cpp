@@ -37,7 +37,7 @@ void Newton::begin_step(const Motion& start, double t_end, const KeptFactor& kep
     model_.pins.mark(t_end, tangent_.free());
     tangent_.set_epoch(model_.pins.released(t_end));
   }
-  stuck_ = false;
+  stuck_ = cut_short_ = false;
   linear_->begin_step(tangent_, kept);
   tangent_.begin_step(start);
 }
@@ -249,7 +249,10 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
     exactness.look(made_ == first, step.a >= 1, step.fall, report.increment);
   }
   report.converged = false;
-  if (k == most) report.reason = "solver.max_iterations reached";
+  if (k == most) {
+    report.reason = "solver.max_iterations reached";
+    cut_short_ = true;
+  }
   return true;
 }
 

@@ -42,6 +42,8 @@ class Newton {
 
   // Since begin_step, an iteration ended as it made no progress: shorter steps may be solved.
   bool stuck() const { return stuck_; }
+  // Since begin_step, solver.max_iterations ended an iteration that got on.
+  bool cut_short() const { return cut_short_; }
 
   TangentOperator& tangent() { return tangent_; }
 
@@ -76,7 +78,7 @@ class Newton {
   TangentOperator tangent_;
   std::unique_ptr<LinearSolver> linear_;
   Definiteness made_ = Definiteness::clamp;  // how the tangent of the latest direction was made definite
-  bool stuck_ = false;
+  bool stuck_ = false, cut_short_ = false;
   bool is_singular_ = false;   // the matrix of the latest direction: there is none
   bool kept_tangent_ = false;  // it is that of the iteration before
   double residual_norm_ = 0;   // there, N

@@ -112,16 +112,25 @@ class Rest {
 // How far the energy rises above what it was.
 class Gain {
  public:
-  explicit Gain(const Measures& start) : start_(total(start)) { look(start); }
+  // stiff: Young's modulus times volume [J], of which a thousandth is no round-off.
+  Gain(const Measures& start, double stiff)
+      : start_(total(start)), most_(std::max(100 * (start.kinetic + start.elastic), 1e-3 * stiff)) {
+    look(start);
+  }
   void look(const Measures& now) {
-    rise_ = std::max(rise_, total(now) - start_);
+    const double rise = total(now) - start_;
+    rise_ = std::max(rise_, rise);
+    above_ = rise > most_ ? above_ + 1 : 0;
     scale_ = std::max(scale_, now.kinetic + now.elastic);
   }
   double share() const { return scale_ > 0 ? rise_ / scale_ : 0; }
+  // A first step may leap further, and come back.
+  bool runs_away() const { return above_ >= 50; }
 
  private:
   static double total(const Measures& m) { return m.kinetic + m.elastic + m.potential; }
-  double start_, rise_ = 0, scale_ = 0;  // J
+  double start_, most_, rise_ = 0, scale_ = 0;  // J
+  int above_ = 0;                               // looks in a row
 };
 
 void add(const StepReport& report, Recovery& r) {
@@ -161,7 +170,7 @@ Recovery recover(const System& system, State& state, std::int64_t steps, const R
   const std::int64_t end = state.step + steps;
   Rest rest(system, state, options.loaded);
   std::optional<Gain> gain;
-  if (options.energy) gain.emplace(system.measure(state));
+  if (options.energy) gain.emplace(system.measure(state), parts_of(system).model.energy_scale);
   Recovery r;
   int unsolved = 0;
   while (state.step < end && !rest.dead() && r.failure.empty() && unsolved < most_unsolved && !interrupted()) {
@@ -170,6 +179,9 @@ Recovery recover(const System& system, State& state, std::int64_t steps, const R
       add(report, r);
       rest.look(state);
       if (gain) gain->look(system.measure(state));
+      if (gain && gain->runs_away())
+        r.failure = "step " + std::to_string(state.step) +
+                    ": its energy has been a hundred times that of its start for 50 steps";
       unsolved = report.converged ? 0 : unsolved + 1;
     } else {
       r.failure = failure_text(system, report);

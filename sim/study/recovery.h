@@ -53,8 +53,9 @@ struct RecoveryOptions {
   bool energy = false;  // nothing but forces of a potential acts: the gain of energy is looked for
 };
 
-// Moves the state by `steps` steps, or fewer when the shape does not change any more or 50 in a row are not solved.
-// Ends early, with what there is, when `interrupted` says so.
+// Moves the state by `steps` steps, or fewer when the shape does not change any more, 50 in a row are not solved, or
+// the energy that is looked at has been a hundred times the start's for 50: that is no motion any more. Ends early,
+// with what there is, when `interrupted` says so.
 Recovery recover(const System& system, State& state, std::int64_t steps, const RecoveryOptions& options,
                  const std::function<bool()>& interrupted);
 

@@ -211,11 +211,12 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
   if (model_.solver.on_failure != OnFailure::split || scheme_.is_static) return report.failure.empty();
-  // Iterations that got on, but were not given the time, would get on no faster in shorter steps.
-  if (report.failure.empty() && !newton_.stuck()) return true;
-  // Where the finest part fails, the other parts of the step are not tried finer than they are. What fails then is
-  // taken by backward Euler, which asks for no force from before: its iterates only lower the energy.
-  in_vain_ = in_vain_ || depth == most_halvings;
+  // What round-off ended is as good as solved.
+  if (report.failure.empty() && !newton_.stuck() && !newton_.cut_short()) return true;
+  // Iterations that got on, but were not given the time, would get on no faster in shorter steps. Where the finest part
+  // fails, the other parts of the step are not tried finer than they are. What fails then is taken by backward Euler,
+  // which asks for no force and no stage from before: its iterates only lower the energy.
+  in_vain_ = in_vain_ || depth == most_halvings || (report.failure.empty() && !newton_.stuck());
   if (in_vain_ && &own == &euler) return report.failure.empty();
   next_ = begin;
   report.converged = converged_before;
@@ -229,12 +230,14 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
 // A step that is accepted unsolved has the velocity of an iteration on its way, which no force justifies. It is slowed
 // down, until kinetic and potential energy together are at most what they were when the step began:
 //   s^2 = (T_n + U(x_n) - U(x_{n+1})) / T_{n+1}, at most 1, 0 where that is negative; v <- s v
+// Neither does it hand on the force of its last stage, which would give that velocity once more.
 void ImplicitStepper::calm(const State& begin, double t, double t_end) {
   const auto kinetic = [&](const Eigen::VectorXd& v) {
     force_.setZero();
     for (const Mass& mass : model_.masses) mass.add_product(1, v, force_, model_.D);
     return 0.5 * v.dot(force_);
   };
+  next_.force.setZero();
   const double had = kinetic(begin.v) + newton_.tangent().energy({begin.x, begin.v, t, 0});
   const double left = had - newton_.tangent().energy({next_.x, next_.v, t_end, 0}), T = kinetic(next_.v);
   if (T <= left) return;
