@@ -24,9 +24,9 @@ bool has_meaning(const Subject& subject, const Extreme& extreme) {
   return true;
 }
 
-// The matrix is full for the scenes of users and for bodies whose shape is what they are there for. Every scheme meets
-// obstacles; starts are tried with every material, scheme and element, the other extremes with the three materials and
-// schemes that are to hold.
+// The matrix is full for the scenes of users and for bodies whose shape is what they are there for. Every scheme that
+// can meets obstacles; starts are tried with every material, scheme and element, the other extremes with the three
+// materials and schemes that are to hold.
 bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
   const auto is_one_of = [](const std::string& name, auto... names) { return ((name == names) || ...); };
   const bool holds = is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated") &&
@@ -40,7 +40,8 @@ bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
     case Part::element:
       return is_one_of(extreme.group, "start", "mesh");
     case Part::reference:
-      if (extreme.group == "obstacle") return subject.material == "stable-neo-hookean";
+      if (extreme.group == "obstacle")
+        return subject.material == "stable-neo-hookean" && sim::find_scheme(subject.scheme)->heeds_barriers();
       return extreme.group == "start" || (holds && extreme.group != "bending");
   }
   return false;

@@ -41,6 +41,8 @@ struct Scheme {
   bool is_static = false;              // minimise U alone
 
   bool is_explicit() const { return kick != Kick::none; }
+  // Its steps end where an iteration has seen that nothing is in the way.
+  bool heeds_barriers() const { return !is_explicit() && !extrapolate && !one_iteration; }
 };
 
 // nullptr when there is no scheme of that name.
