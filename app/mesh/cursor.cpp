@@ -114,7 +114,7 @@ std::string_view Cursor::quoted(std::string_view what) {
   const bool none = finished();
   item_ = position_;
   if (none) fail("the file ends where " + std::string(what) + " should be");
-  const std::size_t line_end = std::min(content_.find('\n', position_), content_.size());
+  const std::size_t line_end = std::min(content_.find_first_of("\r\n", position_), content_.size());
   const std::size_t end = content_.rfind('"', line_end);  // writers leave quotes inside of the text as they are
   if (content_[position_] != '"' || end == content_.npos || end <= position_)
     fail(std::string(what) + " should be in double quotes on one line");

@@ -23,16 +23,20 @@ std::pair<std::vector<int>, std::vector<double>> weighted_nodes(const ProbePlace
   return {nodes, place.point.weights};
 }
 
-void add_pressure(Model& model, std::size_t b, const Pressure& pressure) {
+void add_pressure(Model& model, std::size_t b, const Pressure& pressure, const std::string& key) {
   const Body& body = model.bodies[b];
-  const Eigen::MatrixXi facets = pressure.where                              ? facets_in(body.mesh, *pressure.where)
-                                 : info(body.mesh.kind).dimension == model.D ? boundary_facets(body.mesh)
-                                                                             : surface_facets(body.mesh);
-  if (facets.cols() == 0) throw InputError("value", "no boundary facet of \"" + body.name + "\" is in this region");
-  if (info(body.mesh.kind).dimension < model.D && facets.rows() != body.mesh.elements.rows())
-    throw InputError("value", "there are edges of \"" + body.name + "\" in this region, but no face to press on");
-  model.terms.push_back(
-      std::make_unique<PressureLoad>(body, pressure, facets, model.ranges[b].first_node, model.X, model.D));
+  const bool solid = info(body.mesh.kind).dimension == model.D;
+  const Eigen::MatrixXi facets = below(key, [&]() -> Eigen::MatrixXi {
+    if (pressure.where) return facets_in(body.mesh, *pressure.where);
+    return solid ? boundary_facets(body.mesh) : surface_facets(body.mesh);
+  });
+  if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
+  if (!solid && facets.rows() != body.mesh.elements.rows())
+    throw InputError(key, "there are edges of \"" + body.name + "\" in this region, but no face to press on");
+  below(key, [&] {
+    model.terms.push_back(
+        std::make_unique<PressureLoad>(body, pressure, facets, model.ranges[b].first_node, model.X, model.D));
+  });
 }
 
 }  // namespace
@@ -56,7 +60,7 @@ void add_loads(Model& model, std::size_t b) {
                                                          model.ranges[b].first_node, model.X, model.D));
   }
   for (std::size_t k = 0; k < body.loads.pressures.size(); ++k)
-    below(key_of("body", b) + "." + key_of("pressure", k), [&] { add_pressure(model, b, body.loads.pressures[k]); });
+    add_pressure(model, b, body.loads.pressures[k], key_of("body", b) + "." + key_of("pressure", k));
   for (std::size_t k = 0; k < body.loads.forces.size(); ++k) {
     const PointForce& force = body.loads.forces[k];
     const auto [nodes, weights] =

@@ -219,6 +219,17 @@ TEST(Pressure, AtAFreeRimTheForceIsThatOfTheNormals) {
   EXPECT_LT((f - right).norm(), 1e-10 * right.norm());
 }
 
+TEST(Pressure, WhereNoFacetIsTheEntryIsNamed) {
+  Scene scene = beam("tet4", 1);
+  scene.bodies[0].loads.pressures = {Pressure{{}, 1, 0}, Pressure{Box{{5, 5, 5}, {6, 6, 6}}, 1, 0}};
+  try {
+    System(scene, 1);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key, "body.0.pressure.1");
+  }
+}
+
 TEST(PointForce, BendsABeamAsMuchAsTheSameLoadOnItsEnd) {
   Scene spread = beam("tet4", 1, 1e7), point = spread;
   spread.world.gravity.setZero();
