@@ -11,8 +11,8 @@
 #include "sim/build/key_path.h"
 #include "sim/build/loads.h"
 #include "sim/build/touching.h"
+#include "sim/contact/skin.h"
 #include "sim/element/element.h"
-#include "sim/mesh/boundary.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/order.h"
 #include "sim/solve/linear_solver.h"
@@ -141,23 +141,23 @@ void add_own_terms(Model& model, std::size_t b) {
 }
 
 // Barriers begin at a thousandth of the smallest body, friction is fully grown at a thousandth of it a second.
-// kappa_i = E A_i/size: the stiffness of a column of the body under the node's share A_i of the surface.
+// kappa A_i with a tenth of Young's modulus, as in contact, and the node's share A_i of the surface: about that
+// pressure is carried at half of the barrier's width, at any mesh.
 void add_obstacles(Model& model, const std::vector<Obstacle>& obstacles) {
   if (obstacles.empty()) return;
-  constexpr double thousandth = 1e-3;
+  constexpr double thousandth = 1e-3, tenth = 0.1;
   const std::vector<char> still = still_nodes(model);
   std::vector<ObstacleTerm::Contact> contacts;
   double size = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Eigen::MatrixXi facets = surface_facets(model.bodies[b].mesh);
-    std::vector<int> nodes(facets.data(), facets.data() + facets.size());
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const double L = model.ranges[b].size, area = L * L / static_cast<double>(nodes.size());
-    for (const int node : nodes)
-      if (!still[model.ranges[b].first_node + node])
-        contacts.push_back({model.ranges[b].first_node + node, model.bodies[b].materials[0].young * area / L});
-    size = std::min(size, L);
+    const Body& body = model.bodies[b];
+    Skin skin;
+    skin.D = model.D;
+    add_part(skin, flat_faces(body.mesh, model.D), body.mesh.X, model.ranges[b].first_node, body.thickness);
+    for (std::size_t p = 0; p < skin.node.size(); ++p)
+      if (!still[skin.node[p]])
+        contacts.push_back({skin.node[p], tenth * body.materials[0].young * skin.point_area[p]});
+    size = std::min(size, model.ranges[b].size);
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     auto term = std::make_unique<ObstacleTerm>(obstacles[k], contacts, thousandth * size, thousandth * size, model.D);

@@ -60,9 +60,7 @@ struct ObstacleTerm::Blocks : Store {
 };
 
 ObstacleTerm::ObstacleTerm(const Obstacle& obstacle, std::vector<Contact> contacts, double dh, double eps, int D)
-    : obstacle_(obstacle), contacts_(std::move(contacts)), dh_(dh), eps_(eps), D_(D) {
-  for (Contact& contact : contacts_) contact.kappa *= dh;
-}
+    : obstacle_(obstacle), contacts_(std::move(contacts)), dh_(dh), eps_(eps), D_(D) {}
 
 TermInfo ObstacleTerm::info() const {
   std::ostringstream what;

@@ -1,5 +1,5 @@
 // An obstacle that no surface node passes: a barrier on its distance, and friction. [Li et al. 2020]
-//   U = sum_i kappa_i dh b(d_i), b as in sim/contact/barrier.h
+//   U = sum_i kappa A_i b(d_i), b as in sim/contact/barrier.h
 // Friction opposes the tangential velocity with mu lambda_i f1(|v_T|), lambda_i the normal force when the step began,
 // f1 rising smoothly from 0 to 1 at the speed eps: the gradient of a potential in v, so it works in every stage.
 #pragma once
@@ -13,8 +13,8 @@ namespace sim {
 
 class ObstacleTerm final : public Term {
  public:
-  // Nodes that may touch: number in the system and barrier stiffness kappa [N/m]; dh [m]: where the barrier begins;
-  // eps [m/s]: where friction is fully grown.
+  // Nodes that may touch: number in the system, and kappa times their share of the surface [N]; dh [m]: where the
+  // barrier begins; eps [m/s]: where friction is fully grown.
   struct Contact {
     int node;
     double kappa;

@@ -243,83 +243,6 @@ TEST(Contact, BodyDoesNotPassThroughItself) {
   }
 }
 
-TEST(Contact, SameBitsForAnyThreads) {
-  const Scene scene = test::two_boxes(3, 0.005);
-  test::Stepped one(scene, 1), two(scene, 2);
-  one.steps(8);
-  two.steps(8);
-  EXPECT_EQ(hash(one.state), hash(two.state));
-}
-
-// From a state that was saved, bodies being in contact, the run goes on with the same bits.
-TEST(Contact, ResumesToTheSameBits) {
-  for (const auto& [linear, name] : choices<LinearSolverKind>) {
-    Scene scene = test::two_boxes(2, 0.005);
-    scene.solver.linear = linear;
-    scene.contacts[0].friction = 0.3;
-    test::Stepped through(scene);
-    through.steps(8);
-    const State saved = through.state;
-    through.steps(6);
-    test::Stepped resumed(scene);
-    resumed.state = saved;
-    resumed.steps(6);
-    EXPECT_EQ(hash(through.state), hash(resumed.state)) << name;
-  }
-}
-
-// The sharp edges of boxes that lie turned across each other carry most of the load between them.
-TEST(Contact, CrossingEdgesTakeFewIterations) {
-  Scene scene = test::two_boxes(4, 0.5);
-  scene.bodies[1] = test::box_body("top", {1, 1, 1}, 4, {0, 0, 0});
-  rotate(scene.bodies[1].mesh, {0, 1, 0}, 0.349);
-  translate(scene.bodies[1].mesh, {0.1, 1.5, 0.15});
-  test::Stepped run(scene);
-  int most = 0;
-  for (int k = 0; k < 40; ++k) {
-    run.steps(1);
-    most = std::max(most, run.last.newton);
-    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << k;
-  }
-  EXPECT_LT(most, 25);
-}
-
-// Whatever solves the linear systems, which see pairs that no element couples.
-TEST(Contact, SolversAgree) {
-  Scene scene = test::two_boxes(2, 0.005);
-  scene.solver.tolerance = 1e-8;
-  Eigen::VectorXd first;
-  for (const auto& [linear, name] : choices<LinearSolverKind>) {
-    scene.solver.linear = linear;
-    test::Stepped run(scene);
-    run.steps(6);
-    EXPECT_GT(run.system.contacts(run.state)[0].pairs, 0);
-    if (first.size() == 0) first = run.state.x;
-    EXPECT_LT((run.state.x - first).cwiseAbs().maxCoeff(), 1e-7) << name;
-  }
-}
-
-// A solve takes hardly more iterations where bodies touch than where they do not.
-TEST(Contact, TouchingCostsFewIterationsOfTheLinearSolver) {
-  Scene scene = test::two_boxes(4, 0.005);
-  scene.solver.linear = LinearSolverKind::two_level;
-  double iterations[2];
-  for (const bool touching : {false, true}) {
-    if (!touching) translate(scene.bodies[1].mesh, {0, 20, 0});
-    test::Stepped run(scene);
-    int linear = 0, newton = 0;
-    for (int k = 0; k < 8; ++k) {
-      run.steps(1);
-      linear += run.last.linear;
-      newton += run.last.newton;
-    }
-    EXPECT_EQ(run.system.contacts(run.state)[0].pairs > 0, touching);
-    iterations[touching] = static_cast<double>(linear) / newton;
-    if (!touching) translate(scene.bodies[1].mesh, {0, -20, 0});
-  }
-  EXPECT_LT(iterations[1], 2 * iterations[0]);
-}
-
 std::string error_of(const Scene& scene) {
   try {
     System system(scene);
@@ -356,26 +279,6 @@ TEST(Contact, MistakesAreNamed) {
     scene.time.integrator = scheme;
     EXPECT_NE(error_of(scene).find("time.integrator"), std::string::npos) << scheme;
   }
-}
-
-// The start of an iteration is limited as well: a fast box does not jump through a ball obstacle.
-TEST(Obstacle, IsNotPassedBetweenSteps) {
-  Scene scene;
-  scene.world.gravity = {0, 0, 0};
-  scene.bodies = {test::box_body("box", {1, 1, 1}, 2, {-0.5, 0.3, -0.5}, 1e6)};
-  scene.bodies[0].velocity = {0, -40, 0};
-  Obstacle ball;
-  ball.shape = Sphere{{0, 0, 0}, 0.12};
-  scene.obstacles = {ball};
-  System system(scene);
-  State state = system.initial_state();
-  const auto stepper = make_stepper(system, 1);
-  // In one step it would be 0.67 m lower: the node above the ball stays on it.
-  ASSERT_EQ(stepper->step(state).failure, "");
-  double lowest = 1e9;
-  for (Eigen::Index i = 0; i < state.x.size(); i += 3)
-    if (std::abs(state.x[i]) < 0.1 && std::abs(state.x[i + 2]) < 0.1) lowest = std::min(lowest, state.x[i + 1]);
-  EXPECT_GT(lowest, 0.05);
 }
 
 }  // namespace
