@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-Mesh solid(const std::vector<Vec3>& points, const std::vector<std::array<int, 4>>& tets) {
+Mesh of_tets(const std::vector<Vec3>& points, const std::vector<std::array<int, 4>>& tets) {
   Mesh mesh;
   mesh.X.resize(3, static_cast<Eigen::Index>(points.size()));
   mesh.elements.resize(4, static_cast<Eigen::Index>(tets.size()));
@@ -29,7 +29,7 @@ Mesh spikes(const std::vector<Vec3>& feet) {
       points.push_back(foot + corner);
     tets.push_back({n, n + 1, n + 2, n + 3});
   }
-  return solid(points, tets);
+  return of_tets(points, tets);
 }
 Mesh ridges(const std::vector<double>& places) {
   std::vector<Vec3> points;
@@ -40,20 +40,20 @@ Mesh ridges(const std::vector<double>& places) {
       for (const Vec3& corner : {Vec3(x - 0.4, 0, z), Vec3(x + 0.4, 0, z), Vec3(x, 1, z)}) points.push_back(corner);
     tets.insert(tets.end(), {{n, n + 1, n + 2, n + 3}, {n + 1, n + 2, n + 3, n + 4}, {n + 2, n + 3, n + 4, n + 5}});
   }
-  return solid(points, tets);
+  return of_tets(points, tets);
 }
 Mesh upside_down(Mesh mesh, const Vec3& axis) {
   rotate(mesh, axis, 180);
   return mesh;
 }
 
-struct TouchCase {
+struct SharpCase {
   const char* name;
   Mesh low, top;
   double meet;  // m: how high the origin of the upper one is where they touch
 };
 
-std::vector<TouchCase> cases() {
+std::vector<SharpCase> sharp_cases() {
   const std::vector<Vec3> feet = {{-1, 0, -1}, {0, 0, -1}, {1, 0, -1}, {-1, 0, 0}, {0, 0, 0},
                                   {1, 0, 0},   {-1, 0, 1}, {0, 0, 1},  {1, 0, 1}};
   Mesh half_over = generate_box({1, 0.5, 1}, {2, 1, 2}, {1, 1, 1}, ElementKind::tet4), cliff = half_over;
@@ -67,7 +67,7 @@ std::vector<TouchCase> cases() {
 }
 
 TEST(ContactDegenerate, SharpThingsOnSharpThings) {
-  for (const TouchCase& it : cases()) {
+  for (const SharpCase& it : sharp_cases()) {
     SCOPED_TRACE(it.name);
     Scene scene = test::two_boxes(1, 0);
     scene.bodies[0].mesh = it.low;

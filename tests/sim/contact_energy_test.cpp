@@ -5,7 +5,7 @@
 namespace sim {
 namespace {
 
-double total(const test::Stepped& run) {
+double total_energy(const test::Stepped& run) {
   const Measures m = run.system.measure(run.state);
   return m.kinetic + m.elastic + m.potential;
 }
@@ -13,11 +13,11 @@ double total(const test::Stepped& run) {
 // The largest rise of the energy above the start's.
 double largest_gain(const Scene& scene, int steps) {
   test::Stepped run(scene);
-  const double start = total(run);
+  const double start = total_energy(run);
   double gain = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < steps; ++k) {
     run.steps(1);
-    gain = std::max(gain, total(run) - start);
+    gain = std::max(gain, total_energy(run) - start);
   }
   return gain;
 }
@@ -25,7 +25,7 @@ double largest_gain(const Scene& scene, int steps) {
 constexpr const char* without_gain[] = {"backward-euler", "bdf2", "trapezoidal", "tr-bdf2"};
 constexpr double noise = 1e-8;  // of the iteration's tolerance, in shares of an energy
 
-Scene dropped(const std::string& scheme, int substeps, double degrees) {
+Scene dropped_box(const std::string& scheme, int substeps, double degrees) {
   Scene scene;
   scene.bodies = {test::box_body("box", {0.4, 0.4, 0.4}, 2, {0, 0.5, 0})};
   rotate(scene.bodies[0].mesh, {0, 0, 1}, degrees);
@@ -42,15 +42,15 @@ TEST(ContactEnergy, NoneIsGainedWhereABoxIsDroppedOnAPlane) {
   for (const char* scheme : without_gain)
     for (const int substeps : {1, 2, 8})
       for (const double degrees : {0.0, 10.0})
-        EXPECT_LE(largest_gain(dropped(scheme, substeps, degrees), 45 * substeps) / fall, noise)
+        EXPECT_LE(largest_gain(dropped_box(scheme, substeps, degrees), 45 * substeps) / fall, noise)
             << scheme << " h = 1/" << 60 * substeps << ", turned by " << degrees;
 }
 
 // The second stage of sdirk2 goes on with the velocity of the first: a remark says what comes of it.
 TEST(ContactEnergy, WhereItMayBeGainedARemarkSaysSo) {
-  EXPECT_GT(largest_gain(dropped("sdirk2", 2, 0), 90), 1);
+  EXPECT_GT(largest_gain(dropped_box("sdirk2", 2, 0), 90), 1);
   const auto told = [](const char* scheme) {
-    const std::vector<std::string> remarks = System(dropped(scheme, 1, 0)).remarks();
+    const std::vector<std::string> remarks = System(dropped_box(scheme, 1, 0)).remarks();
     return std::any_of(remarks.begin(), remarks.end(), [](const auto& it) { return it.starts_with("energy: "); });
   };
   EXPECT_TRUE(told("sdirk2"));
@@ -98,12 +98,12 @@ struct Impact {
 Impact impact(const std::string& scheme, int fps) {
   test::Stepped run(bars(scheme, fps));
   const double push = 0.1 * std::sqrt(1e6 * 1000) / 2;  // N: area times sqrt(E rho) v/2
-  const double start = total(run), p = run.system.measure(run.state).p.x();
+  const double start = total_energy(run), p = run.system.measure(run.state).p.x();
   Impact it;
   for (int k = 0; k < fps / 6; ++k) {
     run.steps(1);
     it.contact += run.system.contacts(run.state)[0].force.norm() > 0.05 * push ? 1.0 / fps : 0;
-    it.gain = std::max(it.gain, total(run) / start - 1);
+    it.gain = std::max(it.gain, total_energy(run) / start - 1);
   }
   it.kept = speed_of(run, 0);
   it.drift = std::abs(run.system.measure(run.state).p.x() / p - 1);

@@ -5,7 +5,7 @@
 namespace sim {
 namespace {
 
-constexpr double g = 9.81;
+constexpr double weight_per_mass = 9.81;
 
 // A flat block on a slab that is held, pressed to it by gravity, which may have a part along x.
 Scene block_on_slab(double friction, const Vec3& gravity) {
@@ -45,7 +45,7 @@ void settle(test::Stepped& run) {
 TEST(ContactFriction, SlidingBlockStopsWhereCoulombSays) {
   for (const int substeps : {1, 4}) {
     const double v0 = 2, mu = 0.5, h = 1.0 / 60 / substeps;
-    Scene scene = block_on_slab(mu, {0, -g, 0});
+    Scene scene = block_on_slab(mu, {0, -weight_per_mass, 0});
     scene.time.substeps = substeps;
     test::Stepped run(scene);
     settle(run);
@@ -53,7 +53,7 @@ TEST(ContactFriction, SlidingBlockStopsWhereCoulombSays) {
     for (int i = block.first_node; i < block.first_node + block.node_count; ++i) run.state.v[3 * i] += v0;
     const double start = mean_of(run, 1).x.x();
     run.steps(36 * substeps);
-    const double way = mean_of(run, 1).x.x() - start, expected = v0 * v0 / (2 * mu * g) - v0 * h / 2;
+    const double way = mean_of(run, 1).x.x() - start, expected = v0 * v0 / (2 * mu * weight_per_mass) - v0 * h / 2;
     std::printf("h = %.4f s: slid %.4f m, expected %.4f m\n", h, way, expected);
     EXPECT_NEAR(way, expected, 0.01 * expected);
     EXPECT_EQ(test::count_crossings(scene, run.state.x), 0);
@@ -64,12 +64,12 @@ TEST(ContactFriction, SlidingBlockStopsWhereCoulombSays) {
 // speed eps (1 - sqrt(1 - tan/mu)), where friction has grown to what holds it.
 TEST(ContactFriction, SlopeIsSlidDownOrCreptDown) {
   const double angle = std::atan(0.5);
-  const Vec3 gravity = g * Vec3(std::sin(angle), -std::cos(angle), 0);
+  const Vec3 gravity = weight_per_mass * Vec3(std::sin(angle), -std::cos(angle), 0);
   test::Stepped slides(block_on_slab(0.49, gravity)), creeps(block_on_slab(0.51, gravity));
   settle(slides);
   const Mean start = mean_of(slides, 1);
   slides.steps(60);
-  const double a = g * (std::sin(angle) - 0.49 * std::cos(angle));
+  const double a = weight_per_mass * (std::sin(angle) - 0.49 * std::cos(angle));
   EXPECT_NEAR(mean_of(slides, 1).x.x() - start.x.x() - start.v.x(), a / 2 * (1 + 1.0 / 60), 0.02 * a / 2);
 
   settle(creeps);
@@ -92,8 +92,8 @@ TEST(ContactFriction, NoneNoSidewaysDrift) {
   run.steps(60);
   const Vec3 v = mean_of(run, 1).v;
   const double sideways = std::hypot(v.x(), v.z());
-  std::printf("sideways speed after 1 s: %.2e g\n", sideways / g);
-  EXPECT_LT(sideways, 1e-2 * g);
+  std::printf("sideways speed after 1 s: %.2e g\n", sideways / weight_per_mass);
+  EXPECT_LT(sideways, 1e-2 * weight_per_mass);
   EXPECT_GT(mean_of(run, 1).x.y(), 0);
 }
 

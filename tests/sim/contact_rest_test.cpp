@@ -5,7 +5,7 @@
 namespace sim {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double half_turn = 3.14159265358979323846;
 
 // Five boxes of 1 m, each held up by nothing but the one below.
 Scene stack(int dimension) {
@@ -61,14 +61,15 @@ TEST(ContactRest, GapsInAStackCarryTheWeightAbove) {
 struct Squeeze {
   double approach, force;  // m, N
 };
-constexpr double radius = 0.5, poisson = 0.3, young = 1e6, star = young / (1 - poisson * poisson);
+constexpr double ball_radius = 0.5, ball_poisson = 0.3, ball_young = 1e6,
+                 ball_star = ball_young / (1 - ball_poisson * ball_poisson);
 constexpr double squeezed = 0.01;  // m, of each sphere
 
 Body half_sphere(const std::string& name, int cells) {
   Body body;
   body.name = name;
-  body.mesh = test::quarter_of_half_sphere(radius, cells, 2);
-  body.materials = {MaterialSpec{"linear", young, poisson, 1000, ""}};
+  body.mesh = test::quarter_of_half_sphere(ball_radius, cells, 2);
+  body.materials = {MaterialSpec{"linear", ball_young, ball_poisson, 1000, ""}};
   body.pins = {Pin{Box{{-1e-9, -2, -9}, {1e-9, 2, 9}}, "x", {}, {}},
                Pin{Box{{-2, -1e-9, -9}, {2, 1e-9, 9}}, "y", {}, {}}};
   return body;
@@ -92,13 +93,13 @@ Squeeze squeeze(bool two_spheres) {
   scene.time.fps = 2;
   const int cells = 8;
   scene.bodies = {half_sphere("upper", cells)};
-  translate(scene.bodies[0].mesh, {0, 0, radius + start});
-  scene.bodies[0].pins.push_back(driven(radius + start, 9, -squeezed));
+  translate(scene.bodies[0].mesh, {0, 0, ball_radius + start});
+  scene.bodies[0].pins.push_back(driven(ball_radius + start, 9, -squeezed));
   if (two_spheres) {
     scene.bodies.push_back(half_sphere("lower", cells));
     rotate(scene.bodies[1].mesh, {1, 1, 0}, 180);
-    translate(scene.bodies[1].mesh, {0, 0, -radius});
-    scene.bodies[1].pins.push_back(driven(-9, -radius, squeezed));
+    translate(scene.bodies[1].mesh, {0, 0, -ball_radius});
+    scene.bodies[1].pins.push_back(driven(-9, -ball_radius, squeezed));
   } else {
     scene.bodies.push_back(test::box_body("slab", {2, 2, 0.1}, 1, {-1.1, -0.8, -0.1}, 1e6));
     scene.bodies[1].pins = {Pin{Box{{-9, -9, -9}, {9, 9, 9}}, "xyz", {}, {}}};
@@ -112,16 +113,17 @@ Squeeze squeeze(bool two_spheres) {
 }
 
 double hertz(double approach) {
-  return 4.0 / 3 * star * std::sqrt(radius) * std::pow(approach, 1.5);
+  return 4.0 / 3 * ball_star * std::sqrt(ball_radius) * std::pow(approach, 1.5);
 }
 
 // hertz(d + F f/(pi E)) = F, with f of the radius a of the area that touches.
 double two_plates(double approach) {
   double F = hertz(approach);
   for (int k = 0; k < 50; ++k) {
-    const double a = std::cbrt(0.75 * F * radius / star), r2 = a * a + 4 * radius * radius;
-    const double f = 2 * (1 + poisson) * radius * radius / std::pow(r2, 1.5) + (1 - poisson * poisson) / std::sqrt(r2);
-    F = hertz(approach + F * f / (pi * young));
+    const double a = std::cbrt(0.75 * F * ball_radius / ball_star), r2 = a * a + 4 * ball_radius * ball_radius;
+    const double f = 2 * (1 + ball_poisson) * ball_radius * ball_radius / std::pow(r2, 1.5) +
+                     (1 - ball_poisson * ball_poisson) / std::sqrt(r2);
+    F = hertz(approach + F * f / (half_turn * ball_young));
   }
   return F;
 }
