@@ -42,8 +42,8 @@ struct Measures {
   Vec3 p = {0, 0, 0}, L = {0, 0, 0};
 };
 
-// von Mises Cauchy stress [Pa], largest principal stretch, Psi [J/m^3], det F
-enum class Quantity { stress, stretch, energy, J };
+// von Mises Cauchy stress [Pa], largest principal stretch, Psi [J/m^3], det F; of contact: pressure on the surface [Pa]
+enum class Quantity { stress, stretch, energy, J, pressure };
 
 struct Counts {
   int nodes = 0, elements = 0, dofs = 0, free_dofs = 0;

@@ -141,9 +141,18 @@ struct Body {
 struct Plane {
   Vec3 point, normal;
 };
+// A surface that no force moves, closed or open: triangles in space, lines in the plane.
+struct RigidSurface {
+  Eigen::MatrixXd X;      // m, as many numbers a node as the scene has dimensions
+  Eigen::MatrixXi faces;  // nodes of a face, as many as the scene has dimensions
+};
+using ObstacleShape = std::variant<Plane, Sphere, RigidSurface>;
 struct Obstacle {
-  std::variant<Plane, Sphere> shape;
-  double friction = 0;  // Coulomb coefficient
+  ObstacleShape shape;
+  double friction = 0;                 // Coulomb coefficient
+  std::string name = {};               // for messages
+  std::vector<Keyframe> motion = {};   // of the whole obstacle; empty: it stays where it is
+  std::optional<double> release = {};  // s; from then on it is not there
 };
 
 // Bodies that touch each other and do not pass through: two names, the same twice for a body with itself; none: every

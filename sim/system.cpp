@@ -5,6 +5,7 @@
 
 #include "sim/build/build.h"
 #include "sim/build/warnings.h"
+#include "sim/solve/contact_pressure.h"
 #include "sim/solve/linear_solver.h"
 #include "sim/time/stable_step.h"
 
@@ -42,13 +43,25 @@ double System::stable_step() const {
   return sim::stable_step(parts_->model);
 }
 std::vector<int> System::pinned_nodes(double t) const {
-  return parts_->model.pins.nodes(t);
+  std::vector<int> nodes = parts_->model.pins.nodes(t);
+  std::erase_if(nodes, [&](int node) { return node >= parts_->model.body_nodes; });
+  return nodes;
 }
 
 std::vector<TermInfo> System::terms() const {
   std::vector<TermInfo> all;
   for (const auto& term : parts_->model.terms) all.push_back(term->info());
   return all;
+}
+
+std::optional<ObstacleShape> System::obstacle(const State& state, std::size_t k) const {
+  const Obstacle& it = parts_->model.obstacles[k];
+  if (it.release && time(state.step) > *it.release) return std::nullopt;
+  return std::visit(
+      [&](const auto& shape) {
+        return ObstacleShape(shape_at(shape, parts_->model.obstacle_nodes[k], state.x, parts_->model.D));
+      },
+      it.shape);
 }
 
 int System::contact_pairs() const {
@@ -58,17 +71,20 @@ int System::contact_pairs() const {
 }
 
 std::vector<ContactReport> System::contacts(const State& state) const {
+  const bool first = state.x_before.size() == 0;
+  const Motion now{state.x, state.v, time(state.step), 0};
+  const Motion begin{first ? state.x : state.x_before, first ? state.v : state.v_before, now.t, 0};
   std::vector<ContactReport> all;
   for (const ContactTerm* term : parts_->model.contacts)
-    for (ContactReport& report : term->reports(state.x)) all.push_back(std::move(report));
+    for (ContactReport& report : term->reports(begin, now)) all.push_back(std::move(report));
   return all;
 }
 
 Counts System::counts() const {
   Counts c;
-  c.nodes = parts_->model.node_count;
+  c.nodes = parts_->model.body_nodes;
   for (const BodyRange& range : parts_->model.ranges) c.elements += range.element_count;
-  c.dofs = static_cast<int>(parts_->model.dofs());
+  c.dofs = c.nodes * parts_->model.D;
   Eigen::VectorXd free(parts_->model.dofs());
   parts_->model.pins.mark(0, free);
   c.free_dofs = static_cast<int>(free.sum());
@@ -119,7 +135,7 @@ Measures System::measure(const State& state) const {
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(parts_->model.dofs());
   for (const Mass& mass : parts_->model.masses) mass.add_product(1, state.v, momentum, D);
   m.kinetic = 0.5 * state.v.dot(momentum);
-  for (int node = 0; node < parts_->model.node_count; ++node) {
+  for (int node = 0; node < parts_->model.body_nodes; ++node) {
     const Eigen::Index at = static_cast<Eigen::Index>(node) * D;
     Vec3 x = Vec3::Zero(), p = Vec3::Zero();
     x.head(D) = state.x.segment(at, D);
@@ -153,9 +169,11 @@ Vec3 System::probe_displacement(const State& state, int probe) const {
 }
 
 Eigen::VectorXd System::node_values(const State& state, Quantity quantity) const {
+  if (quantity == Quantity::pressure)
+    return contact_pressure(parts_->model, {state.x, state.v, time(state.step), 0}).head(parts_->model.body_nodes);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(parts_->model.node_count), weights = sums;
   for (const ElasticPart& part : parts_->model.elastic) part.term->add_node_values(state.x, quantity, sums, weights);
-  return (weights.array() > 0).select(sums.array() / weights.array().max(1e-300), 0.0);
+  return (weights.array() > 0).select(sums.array() / weights.array().max(1e-300), 0.0).head(parts_->model.body_nodes);
 }
 
 std::string failure_text(const System& system, const StepReport& report) {

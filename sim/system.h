@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ class System {
   double time(std::int64_t step) const;  // step / (fps * substeps), exact at frames
   std::span<const BodyRange> bodies() const;
   std::vector<TermInfo> terms() const;
+  // Where an obstacle of the scene is, none after its release.
+  std::optional<ObstacleShape> obstacle(const State& state, std::size_t k) const;
   // Every pair of bodies that may touch, and how many there are: none where the scene names no contact.
   int contact_pairs() const;
   std::vector<ContactReport> contacts(const State& state) const;

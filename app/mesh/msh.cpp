@@ -168,11 +168,14 @@ class Sections {
 
 }  // namespace
 
-sim::Mesh read_msh(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
+MshContents read_msh_contents(std::string_view content, std::string_view name) {
   Cursor in(content, name);
   const Format format = find_format(in);
-  const MshContents contents = Sections(in, format).read();
-  return make_mesh(contents, std::string(name), remarks);
+  return Sections(in, format).read();
+}
+
+sim::Mesh read_msh(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
+  return make_mesh(read_msh_contents(content, name), std::string(name), remarks);
 }
 
 }  // namespace app

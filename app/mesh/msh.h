@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/mesh/msh_contents.h"
 #include "sim/mesh/mesh.h"
 
 namespace app {
@@ -14,5 +15,8 @@ namespace app {
 // others by their number. Triangles and squares whose nodes all have the same z make a mesh in the plane.
 // Throws FileError.
 sim::Mesh read_msh(std::string_view content, std::string_view name, std::vector<std::string>& remarks);
+
+// What the file says, of which no mesh has been made. Throws FileError.
+MshContents read_msh_contents(std::string_view content, std::string_view name);
 
 }  // namespace app

@@ -46,6 +46,18 @@ Eigen::AlignedBox3d reached(const sim::Sphere& ball, const Eigen::AlignedBox3d& 
   return all.intersection({foot - part, foot + part});
 }
 
+// A surface is seen whole, as far as bodies may come to it.
+Eigen::AlignedBox3d reached(const sim::RigidSurface& surface, const Eigen::AlignedBox3d& bodies, double near_by,
+                            const Vec3&) {
+  Eigen::AlignedBox3d box;
+  for (const auto& node : surface.X.colwise()) {
+    Vec3 x = Vec3::Zero();
+    x.head(node.size()) = node;
+    if (bodies.exteriorDistance(x) < near_by) box.extend(x);
+  }
+  return box;
+}
+
 // The bodies at rest and where they will fall: the scene tells both before a step is taken.
 Eigen::AlignedBox3d first_box(const sim::System& system, const sim::Scene& scene) {
   Eigen::AlignedBox3d box = rest_box(system.bodies());
@@ -58,7 +70,7 @@ Eigen::AlignedBox3d first_box(const sim::System& system, const sim::Scene& scene
   return box;
 }
 
-Eigen::AlignedBox3d box_of(const Eigen::VectorXd& x, int dimension) {
+Eigen::AlignedBox3d box_of(const Eigen::Ref<const Eigen::VectorXd>& x, int dimension) {
   const Eigen::Map<const Eigen::MatrixXd> points(x.data(), dimension, x.size() / dimension);
   Eigen::AlignedBox3d box{Vec3::Zero(), Vec3::Zero()};
   if (points.size() == 0) return box;
@@ -116,7 +128,8 @@ Vec3 CameraPath::middle_of_followed(const Eigen::VectorXd& x) const {
 render::Camera CameraPath::at(const sim::State& state) const {
   Eigen::AlignedBox3d box = first_;
   if (followed_ == nullptr) {
-    const Eigen::AlignedBox3d now = box_of(state.x, system_.dimension());
+    const Eigen::Index own = Eigen::Index{system_.dimension()} * system_.counts().nodes;  // of bodies
+    const Eigen::AlignedBox3d now = box_of(state.x.head(own), system_.dimension());
     const Vec3 middle = first_.center();
     box.extend(Vec3(middle + (now.min() - middle) / swing));
     box.extend(Vec3(middle + (now.max() - middle) / swing));

@@ -62,13 +62,18 @@ std::optional<sim::Quantity> quantity(std::string_view colour) {
   if (colour == "stretch") return sim::Quantity::stretch;
   if (colour == "energy") return sim::Quantity::energy;
   if (colour == "J") return sim::Quantity::J;
+  if (colour == "pressure") return sim::Quantity::pressure;
   return std::nullopt;
 }
 
 double reach_of(sim::Quantity quantity, const Eigen::VectorXd& values) {
-  if (values.size() == 0) return 0;
   std::vector<double> sizes;
-  for (const double value : values) sizes.push_back(std::abs(around_one(quantity) ? value - 1 : value));
+  for (const double value : values) {
+    // Most of a body is pressed by nothing.
+    if (quantity == sim::Quantity::pressure && value == 0) continue;
+    sizes.push_back(std::abs(around_one(quantity) ? value - 1 : value));
+  }
+  if (sizes.empty()) return 0;
   const auto last = static_cast<double>(sizes.size() - 1);
   const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
   std::ranges::nth_element(sizes, place);
@@ -84,6 +89,7 @@ double expected_reach(sim::Quantity quantity, const sim::Scene& scene) {
       const double strain = std::clamp(expected_strain(scene, body, material), least, most);
       switch (quantity) {
         case sim::Quantity::stress:
+        case sim::Quantity::pressure:
           reach = std::max(reach, material.young * strain);
           break;
         case sim::Quantity::energy:
@@ -105,6 +111,11 @@ ColourRange colour_range(sim::Quantity quantity, const Look& look, double reach)
   switch (quantity) {
     case sim::Quantity::stress:
       result.scale.label = "von Mises stress";
+      result.scale.unit = letter + "Pa";
+      result.factor = factor;
+      break;
+    case sim::Quantity::pressure:
+      result.scale.label = "contact pressure";
       result.scale.unit = letter + "Pa";
       result.factor = factor;
       break;

@@ -15,12 +15,19 @@ bool is_floor(const sim::Plane& plane, const Vec3& up) {
 bool is_floor(const sim::Sphere&, const Vec3&) {
   return false;
 }
+bool is_floor(const sim::RigidSurface&, const Vec3&) {
+  return false;
+}
 
 double lowest_of(const sim::Plane&, const Vec3&) {
   return infinite;
 }
 double lowest_of(const sim::Sphere& sphere, const Vec3& up) {
   return up.dot(sphere.centre) - sphere.radius;
+}
+
+double lowest_of(const sim::RigidSurface& surface, const Vec3& up) {
+  return (up.transpose() * surface.X).minCoeff();
 }
 
 bool is_held(const sim::Body& body, const sim::Scene& scene) {
@@ -55,7 +62,7 @@ double expected_sag(const sim::BodyRange& range, const sim::Body& body, const st
   return H > 0 ? std::min(L, 2 * 1.5 * weight * L * L * L * L / (material.young * H * H)) : L;
 }
 
-double lowest_of(const Eigen::VectorXd& x, const Vec3& up) {
+double lowest_of(const Eigen::Ref<const Eigen::VectorXd>& x, const Vec3& up) {
   const Eigen::Map<const Eigen::Matrix3Xd> points(x.data(), 3, x.size() / 3);
   return points.cols() == 0 ? 0 : (up.transpose() * points).minCoeff();
 }
@@ -63,7 +70,7 @@ double lowest_of(const Eigen::VectorXd& x, const Vec3& up) {
 double expected_lowest(const sim::System& system, const sim::Scene& scene, const Vec3& up) {
   std::vector<char> is_pinned(system.counts().nodes, 0);
   for (const int node : system.pinned_nodes(0)) is_pinned[node] = 1;
-  double lowest = lowest_of(system.initial_state().x, up);
+  double lowest = lowest_of(system.initial_state().x.head(Eigen::Index{3} * system.counts().nodes), up);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const sim::BodyRange& body = system.bodies()[b];
     const double sag = expected_sag(body, scene.bodies[b], is_pinned, scene.world.gravity);
@@ -91,7 +98,8 @@ Floor::Floor(const sim::System& system, const Document& document, const Stand& s
 
 std::optional<render::Ground> Floor::at(const sim::State& state) const {
   if (!drawn_) return std::nullopt;
-  const double lowest = given_ ? infinite : lowest_of(state.x, stand_.up) - gap_;
+  const Eigen::Index own = Eigen::Index{3} * system_.counts().nodes;  // of bodies
+  const double lowest = given_ ? infinite : lowest_of(state.x.head(own), stand_.up) - gap_;
   const double height = std::min(height_, lowest) - stand_.up.dot(stand_.origin);
   return render::Ground{to_point(height * stand_.up), to_point(stand_.up)};
 }

@@ -18,7 +18,7 @@ struct Energies {
 };
 
 // By sim::Quantity: reach_of what frames have shown (colour_values.h).
-using LargestShown = std::array<double, 4>;
+using LargestShown = std::array<double, 5>;
 
 struct Moment {
   std::int64_t frame = 0;

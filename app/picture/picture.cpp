@@ -8,19 +8,27 @@
 #include "app/picture/caption.h"
 #include "app/picture/colour_values.h"
 #include "app/picture/energies.h"
+#include "app/picture/rigid_surface.h"
 #include "app/picture/stage.h"
 #include "render/view.h"
 
 namespace app {
 namespace {
 
-// Warm red first, then colours that stay apart for colour-blind eyes (after Okabe and Ito).
-constexpr std::array<render::Colour, 6> body_colours = {{{0.80F, 0.33F, 0.25F},
-                                                         {0.24F, 0.53F, 0.76F},
-                                                         {0.90F, 0.65F, 0.16F},
-                                                         {0.16F, 0.62F, 0.49F},
-                                                         {0.75F, 0.48F, 0.64F},
-                                                         {0.45F, 0.73F, 0.89F}}};
+// Warm red first, then colours that stay apart for colour-blind eyes (after Okabe and Ito); then six more, lighter and
+// darker, for the many.
+constexpr std::array<render::Colour, 12> body_colours = {{{0.80F, 0.33F, 0.25F},
+                                                          {0.24F, 0.53F, 0.76F},
+                                                          {0.90F, 0.65F, 0.16F},
+                                                          {0.16F, 0.62F, 0.49F},
+                                                          {0.75F, 0.48F, 0.64F},
+                                                          {0.45F, 0.73F, 0.89F},
+                                                          {0.93F, 0.83F, 0.36F},
+                                                          {0.20F, 0.30F, 0.56F},
+                                                          {0.55F, 0.17F, 0.22F},
+                                                          {0.58F, 0.74F, 0.27F},
+                                                          {0.93F, 0.50F, 0.20F},
+                                                          {0.92F, 0.64F, 0.66F}}};
 
 render::Surface still_surface(const sim::BodyRange& body, const Surface& surface, std::size_t number,
                               const Vec3& origin) {
@@ -79,7 +87,12 @@ Picture::Picture(const sim::System& system, const Document& document, int width,
     if (look.finish == "jelly") still_.surfaces.back().finish = render::Finish::jelly;
     if (look.ghost) still_.ghosts.push_back(ghost_of(still_.surfaces.back()));
   }
-  if (look.obstacles) add_obstacles(document.scene.obstacles, stand_.origin, still_);
+  for (std::size_t k = 0; look.obstacles && k < document.scene.obstacles.size(); ++k) {
+    const sim::Obstacle& obstacle = document.scene.obstacles[k];
+    if (!std::holds_alternative<sim::RigidSurface>(obstacle.shape)) continue;
+    still_.surfaces.push_back(still_surface(obstacle, document.obstacle_meshes[k], stand_.origin, look.smooth));
+    of_obstacle_.push_back(k);
+  }
   still_.title = document.title;
   still_.look = look_of(look, plane);
   still_.origin = {stand_.origin.x(), stand_.origin.y(), stand_.origin.z()};
@@ -113,6 +126,7 @@ render::Frame Picture::frame(const Moment& moment) const {
                                               dimension, body.node_count);
     frame.surfaces[i].positions = surfaces_[i].points(x, stand_.origin);
   }
+  place_obstacles(moment.state, frame);
   frame.camera = camera_path_.at(moment.state);
   frame.ground = floor_.at(moment.state);
   if (is_placed()) place_in(room_, aspect_, frame.camera);
@@ -124,6 +138,25 @@ render::Frame Picture::frame(const Moment& moment) const {
   if (look.energies) frame.strips.push_back(energy_strip(moment.energies, document_.scene.time.seconds));
   if (!moment.sheet) frame.caption = caption(look.caption, system_, moment);
   return frame;
+}
+
+// Surfaces of obstacles come behind those of bodies; what has been released is not there.
+void Picture::place_obstacles(const sim::State& state, render::Frame& frame) const {
+  if (!document_.look.obstacles) return;
+  std::vector<render::Surface> shown;
+  for (std::size_t k = 0, surface = surfaces_.size(); k < document_.scene.obstacles.size(); ++k) {
+    const std::optional<sim::ObstacleShape> shape = system_.obstacle(state, k);
+    const bool is_surface = surface < frame.surfaces.size() && of_obstacle_[surface - surfaces_.size()] == k;
+    if (shape && is_surface) {
+      shown.push_back(std::move(frame.surfaces[surface]));
+      shown.back().positions = vertices(std::get<sim::RigidSurface>(*shape), stand_.origin);
+    } else if (shape) {
+      add_obstacle(*shape, stand_.origin, frame);
+    }
+    surface += is_surface;
+  }
+  frame.surfaces.resize(surfaces_.size());
+  frame.surfaces.insert(frame.surfaces.end(), shown.begin(), shown.end());
 }
 
 // Beside a sheet the bodies have a part of the page. The picture's own marks give way to the sheet's.
@@ -169,10 +202,12 @@ void Picture::add_pins(const sim::State& state, render::Frame& frame) const {
 
 // Above the point that is highest on the screen, in the middle of the body.
 void Picture::add_labels(render::Frame& frame) const {
-  const Eigen::Vector3f ahead = (render::to_vector(frame.camera.target) - render::to_vector(frame.camera.eye)).normalized();
+  const Eigen::Vector3f ahead =
+      (render::to_vector(frame.camera.target) - render::to_vector(frame.camera.eye)).normalized();
   const Eigen::Vector3f world_up = render::to_vector(frame.camera.up);
   const Eigen::Vector3f up = (world_up - world_up.dot(ahead) * ahead).normalized();
-  for (const render::Surface& surface : frame.surfaces) {
+  for (std::size_t i = 0; i < std::min(surfaces_.size(), frame.surfaces.size()); ++i) {
+    const render::Surface& surface = frame.surfaces[i];
     const Eigen::Map<const Eigen::Matrix3Xf> points(surface.positions.data(), 3,
                                                     static_cast<Eigen::Index>(surface.positions.size() / 3));
     if (points.cols() == 0) continue;

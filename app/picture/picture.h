@@ -30,6 +30,7 @@ class Picture {
   void add_values(const Moment& moment, render::Frame& frame) const;
   void add_pins(const sim::State& state, render::Frame& frame) const;
   void add_labels(render::Frame& frame) const;
+  void place_obstacles(const sim::State& state, render::Frame& frame) const;
   bool shows_labels() const;
   bool is_placed() const;
   void lay_sheet(const render::Sheet& sheet, render::Frame& frame) const;
@@ -38,8 +39,9 @@ class Picture {
   const Document& document_;
   Stand stand_;
   double aspect_;
-  std::vector<Surface> surfaces_;  // body by body
-  render::Frame still_;            // a frame that lacks what changes
+  std::vector<Surface> surfaces_;         // body by body
+  std::vector<std::size_t> of_obstacle_;  // which obstacle each surface behind those of bodies is of
+  render::Frame still_;                   // a frame that lacks what changes
   CameraPath camera_path_;
   Floor floor_;
   Arrows arrows_;

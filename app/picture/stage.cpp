@@ -55,6 +55,8 @@ void draw(const sim::Plane& plane, const Vec3& origin, render::Frame& frame) {
 void draw(const sim::Sphere& sphere, const Vec3& origin, render::Frame& frame) {
   frame.spheres.push_back({to_point(sphere.centre - origin), static_cast<float>(sphere.radius)});
 }
+// A surface of its own: app/picture/rigid_surface.h.
+void draw(const sim::RigidSurface&, const Vec3&, render::Frame&) {}
 
 }  // namespace
 
@@ -124,9 +126,8 @@ void place_in(const render::Box& part, double aspect, render::Camera& camera) {
   camera.eye = to_point(target + arm);
 }
 
-void add_obstacles(std::span<const sim::Obstacle> obstacles, const Vec3& origin, render::Frame& frame) {
-  for (const sim::Obstacle& obstacle : obstacles)
-    std::visit([&](const auto& shape) { draw(shape, origin, frame); }, obstacle.shape);
+void add_obstacle(const sim::ObstacleShape& obstacle, const Vec3& origin, render::Frame& frame) {
+  std::visit([&](const auto& shape) { draw(shape, origin, frame); }, obstacle);
 }
 
 }  // namespace app

@@ -37,7 +37,8 @@ render::Camera view_of(const Camera& camera, const Stand& stand, const Eigen::Al
 // What the whole picture would show is seen smaller, and its middle is the middle of this part of the picture.
 void place_in(const render::Box& part, double aspect, render::Camera& camera);
 
-void add_obstacles(std::span<const sim::Obstacle> obstacles, const Vec3& origin, render::Frame& frame);
+// A plane or a sphere.
+void add_obstacle(const sim::ObstacleShape& obstacle, const Vec3& origin, render::Frame& frame);
 
 render::Point to_point(const Vec3& v);
 Vec3 to_vec3(const render::Point& p);

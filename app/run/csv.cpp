@@ -103,7 +103,7 @@ std::string steps_row(const sim::System& system, const sim::State& state, const 
 }
 
 std::string contacts_header() {
-  return "t,first,second,pairs,fx,fy,fz,gap\n";
+  return "t,first,second,pairs,fx,fy,fz,frictionx,frictiony,frictionz,gap,area\n";
 }
 
 std::string contacts_rows(double t, const std::vector<sim::ContactReport>& contacts) {
@@ -113,7 +113,8 @@ std::string contacts_rows(double t, const std::vector<sim::ContactReport>& conta
     append_fields(line, {t});
     line += ',' + field(contact.first) + ',' + field(contact.second);
     append_fields(line, {contact.pairs});
-    append_fields(line, {contact.force.x(), contact.force.y(), contact.force.z(), contact.gap});
+    append_fields(line, {contact.force.x(), contact.force.y(), contact.force.z(), contact.friction.x(),
+                         contact.friction.y(), contact.friction.z(), contact.gap, contact.area});
     rows += line + '\n';
   }
   return rows;

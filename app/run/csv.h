@@ -41,8 +41,8 @@ std::string steps_header(bool with_contacts);
 std::string steps_row(const sim::System& system, const sim::State& state, const sim::StepReport& report,
                       const std::vector<sim::ContactReport>& contacts);
 
-// "t,first,second,pairs,fx,fy,fz,gap": for each pair of bodies that may touch, normal force on the first [N], least gap
-// [m]. A row for each.
+// "t,first,second,pairs,fx,fy,fz,frictionx,frictiony,frictionz,gap,area": for each pair that may touch, forces on the
+// first [N], least gap [m]. A row for each.
 std::string contacts_header();
 std::string contacts_rows(double t, const std::vector<sim::ContactReport>& contacts);
 

@@ -40,6 +40,8 @@ void print_trouble(const Outcome& outcome) {
   }
   if (totals.splits > 0)
     std::cerr << "note: steps, or parts of them, were taken again in halves " << totals.splits << " times\n";
+  if (!outcome.overlap.empty())
+    std::cerr << "note: " << outcome.overlap << ": no [[contact]] names them, which would keep them apart\n";
   if (outcome.inverted > 0) std::cerr << "note: " << outcome.inverted << " elements are inside out at the end\n";
   if (outcome.no_factor)
     std::cerr << "note: there was no memory for the matrix's factor: solved by conjugate gradients without a matrix\n";

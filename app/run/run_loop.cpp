@@ -20,6 +20,7 @@
 #include "app/run/vtu.h"
 #include "app/scene/scene_text.h"
 #include "sim/stepper.h"
+#include "sim/study/overlap.h"
 
 namespace app {
 namespace {
@@ -46,6 +47,7 @@ class Runner {
                                            : std::vector<Energies>()),
         numbers_(folder.numbers(), resumed_step(start, system_.steps_per_frame())),
         curves_(folder, system_, history_.traces(), resumed_step(start, 1)),
+        overlap_(system_),
         progress_(std::cerr, progress_style(options.quiet),
                   {start.run.state.step, simulation.last_step(), system_.step_seconds()}, Progress::Clock::now()) {
     if (vtu_every_ > 0) make_folder(folder_.vtu_folder());
@@ -93,6 +95,7 @@ class Runner {
     if (vtu_every_ > 0 && frame % vtu_every_ == 0) {
       write_atomically(folder_.vtu(frame), vtu_text(system_, state()), false);
     }
+    look_for_overlap();
     history_.add(state(), outcome_.run.totals.largest);
     Moment moment{.frame = frame, .newton = report.newton, .state = state(), .min_J = report.min_J, .report = report};
     history_.fill(outcome_.run.totals.largest, moment);
@@ -106,6 +109,14 @@ class Runner {
       checkpoint = encode(outcome_.run);
     }
     sink_.add(std::move(moment), std::move(checkpoint));
+  }
+
+  // Said once, of the first two.
+  void look_for_overlap() {
+    if (!outcome_.overlap.empty()) return;
+    if (const auto pair = overlap_.find(state()))
+      outcome_.overlap = formatted("\"%s\" and \"%s\" go through each other from t = %.3g s on", pair->first.c_str(),
+                                   pair->second.c_str(), system_.time(state().step));
   }
 
   // Everything is on the disk before state.bin says that the run has come this far.
@@ -144,6 +155,7 @@ class Runner {
   FrameHistory history_;
   NumbersLog numbers_;
   CurvesLog curves_;
+  sim::Overlap overlap_;
   Progress progress_;
   Interrupt interrupt_;
 };

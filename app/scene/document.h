@@ -9,6 +9,7 @@
 #include "app/scene/body_mesh.h"
 #include "app/scene/exhibit_spec.h"
 #include "app/scene/look.h"
+#include "app/scene/obstacle_mesh.h"
 #include "app/scene/scene_error.h"
 #include "sim/scene.h"
 
@@ -18,7 +19,8 @@ struct Document {
   std::filesystem::path folder;  // of the scene file: files that exhibits name are told from there
   std::string title;
   sim::Scene scene;
-  std::vector<MeshSpec> meshes;  // body by body: the description that scene.bodies[i].mesh was made from
+  std::vector<MeshSpec> meshes;               // body by body: the description that scene.bodies[i].mesh was made from
+  std::vector<ObstacleMesh> obstacle_meshes;  // obstacle by obstacle
   std::vector<std::filesystem::path> start_files;  // body by body: that scene.bodies[i].start.nodes came from; or empty
   std::vector<std::optional<Vec3>> references;     // probe by probe: the displacement it should have at the end [m]
   Camera camera;

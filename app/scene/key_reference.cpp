@@ -41,7 +41,7 @@ std::string row(const Key& key, const Document& blank) {
 
 // The first name of a path: "body" of "body[].pin[].axes".
 std::string_view part(const Key& key) {
-  return key.path.substr(0, key.path.find_first_of(".["));
+  return std::string_view(key.path).substr(0, key.path.find_first_of(".["));
 }
 
 }  // namespace

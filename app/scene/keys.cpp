@@ -54,7 +54,8 @@ const std::vector<Alternatives>& alternatives() {
       {"body[].traction[]", {"box", "sphere", "group"}, true},
       {"body[].pressure[]", {"box", "sphere", "group"}, false},
       {"body[].start", {"nodes", "file"}, false},
-      {"obstacle[]", {"plane", "sphere"}, true},
+      {"obstacle[]", {"plane", "sphere", "box", "mesh"}, true},
+      {"obstacle[].mesh", {"box", "rectangle", "sheet", "file"}, true},
   };
   return table;
 }

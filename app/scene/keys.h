@@ -98,7 +98,7 @@ struct Key : Form {
   Key(std::string_view path, const Form& form, const Binding& binding, std::string_view meaning)
       : Form(form), path(path), binding(binding), meaning(meaning) {}
 
-  std::string_view path;  // "body[].material.young"; [] marks a list
+  std::string path;  // "body[].material.young"; [] marks a list
   Binding binding;
   std::string_view meaning;
 };

@@ -38,8 +38,8 @@ inline Vec3 up_of(const Camera& camera, const Vec3& gravity) {
 }
 
 struct Look {
-  std::string style = "usual";                 // "usual" | "lecture": to be read from the last row of a hall
-  std::string colour = "plain";                // "plain" | "stress" (von Mises) | "stretch" | "energy" | "J"
+  std::string style = "usual";   // "usual" | "lecture": to be read from the last row of a hall
+  std::string colour = "plain";  // "plain" | "stress" (von Mises) | "stretch" | "energy" | "J" | "pressure"
   std::optional<std::array<double, 2>> range;  // values at the ends of the colour map; none: from the values themselves
   std::optional<std::string> colour_map;       // one of render/colour_map.h; none: what suits the values
   std::optional<std::string> background;       // "studio" | "paper"; none: paper in 2D

@@ -218,6 +218,9 @@ void check_consistency(const std::vector<Item>& items, const Document& document,
   const sim::Scene& scene = document.scene;
   check_unique(scene.bodies, "body", mistakes);
   check_unique(scene.probes, "probe", mistakes);
+  check_unique(scene.obstacles, "obstacle", mistakes);
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+    check_times(scene.obstacles[i].motion, "obstacle." + std::to_string(i) + ".motion.keyframes", mistakes);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     check_body(scene.bodies[i], "body." + std::to_string(i), mistakes);
   }

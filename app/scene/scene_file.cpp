@@ -115,6 +115,36 @@ void place_bodies(Document& document, Mistakes& mistakes) {
   }
 }
 
+// `path` is that of the obstacle.
+void make_obstacle(ObstacleMesh& mesh, int dimension, const std::string& path, sim::Obstacle& obstacle,
+                   std::vector<std::string>& remarks) {
+  try {
+    obstacle.shape = make_surface(mesh, dimension, remarks);
+  } catch (const sim::InputError& error) {
+    throw sim::InputError(path + "." + error.key, error.what());
+  } catch (const FileError& error) {
+    throw sim::InputError(path + ".mesh.file", error.what());
+  }
+}
+
+void name_obstacles(std::vector<sim::Obstacle>& obstacles) {
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    if (obstacles[i].name.empty()) obstacles[i].name = "obstacle" + std::to_string(i);
+}
+
+void make_obstacles(Document& document, const std::filesystem::path& folder, Mistakes& mistakes) {
+  for (std::size_t i = 0; i < document.scene.obstacles.size(); ++i) {
+    const std::string path = "obstacle." + std::to_string(i);
+    sim::Obstacle& obstacle = document.scene.obstacles[i];
+    ObstacleMesh& mesh = document.obstacle_meshes[i];
+    if (mistakes.in_part_of(path) || !mesh.is_given()) continue;
+    if (!mesh.spec.file.empty()) mesh.spec.file = folder / mesh.spec.file;
+    std::vector<std::string> remarks;
+    mistakes.collect([&] { make_obstacle(mesh, document.scene.dimension, path, obstacle, remarks); });
+    for (const std::string& remark : remarks) document.remarks.push_back(obstacle.name + ": " + remark);
+  }
+}
+
 // Whether every body has its mesh, so that the dimension of the scene is known. A page of exhibits alone is plane.
 bool all_are_made(const Document& document) {
   const std::vector<sim::Body>& bodies = document.scene.bodies;
@@ -129,6 +159,7 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   check_presence(items, places, mistakes);
   apply(items, document);
   choose_substeps(document.scene.time, places);
+  name_obstacles(document.scene.obstacles);
   mistakes.next_stage();
   make_bodies(document, document.folder, places, mistakes);
   mistakes.next_stage();
@@ -136,6 +167,7 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   if (made) check_dimension(items, document.scene.dimension, mistakes);
   mistakes.next_stage();
   if (made) place_bodies(document, mistakes);
+  if (made) make_obstacles(document, document.folder, mistakes);
   if (made) read_starts(document, document.folder, mistakes);
   check_consistency(items, document, mistakes);
   return document;

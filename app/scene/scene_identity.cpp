@@ -40,9 +40,13 @@ std::uint64_t scene_identity(const Document& document) {
     mesh.wears_surface = false;
     mesh.skin_file.clear();
   }
+  for (ObstacleMesh& mesh : simulated.obstacle_meshes) mesh.spec.file = mesh.spec.file.filename();
   for (std::filesystem::path& file : simulated.start_files) file.clear();  // the nodes themselves are told
   std::uint64_t sum = sim::checksum(scene_json(simulated, {}));
   for (const sim::Body& body : document.scene.bodies) sum = checksum_of_mesh(body.mesh, sum);
+  for (const sim::Obstacle& obstacle : document.scene.obstacles)
+    if (const auto* surface = std::get_if<sim::RigidSurface>(&obstacle.shape))
+      sum = checksum_of(surface->faces, checksum_of(surface->X, sum));
   return sum;
 }
 

@@ -25,8 +25,8 @@ bool has_meaning(const Subject& subject, const Extreme& extreme) {
 }
 
 // The matrix is full for the scenes of users and for bodies whose shape is what they are there for. Every scheme that
-// can meets obstacles; starts are tried with every material, scheme and element, the other extremes with the three
-// materials and schemes that are to hold.
+// can meets obstacles and other bodies; starts are tried with every material, scheme and element, the other extremes
+// with the three materials and schemes that are to hold.
 bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
   const auto is_one_of = [](const std::string& name, auto... names) { return ((name == names) || ...); };
   const bool holds = is_one_of(subject.material, "stable-neo-hookean", "fixed-corotated", "corotated") &&
@@ -40,7 +40,7 @@ bool is_in_matrix(const Subject& subject, const Extreme& extreme) {
     case Part::element:
       return is_one_of(extreme.group, "start", "mesh");
     case Part::reference:
-      if (extreme.group == "obstacle")
+      if (is_one_of(extreme.group, "obstacle", "contact"))
         return subject.material == "stable-neo-hookean" && sim::find_scheme(subject.scheme)->heeds_barriers();
       return extreme.group == "start" || (holds && extreme.group != "bending");
   }
@@ -83,7 +83,7 @@ bool slow_down(sim::Scene& scene) {
 std::vector<Extreme> extremes() {
   std::vector<Extreme> all;
   for (const auto group : {start_extremes, untangle_extremes, step_extremes, material_extremes, mesh_extremes,
-                           script_extremes, obstacle_extremes, bending_extremes})
+                           script_extremes, obstacle_extremes, contact_extremes, bending_extremes})
     for (Extreme& extreme : group()) all.push_back(std::move(extreme));
   return all;
 }

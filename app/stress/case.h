@@ -24,7 +24,7 @@ struct Extreme {
   std::function<void(sim::Scene&)> change;
 
   // Forces have a potential and nothing is driven: energy must not grow.
-  bool keeps_energy() const { return group == "obstacle" || group == "start"; }
+  bool keeps_energy() const { return group == "obstacle" || group == "contact" || group == "start"; }
   // Goes on, with longer steps, until the body is at rest: what is folded creeps, and what is slender unbends slowly.
   bool is_patient() const { return group == "start" || group == "untangle"; }
 };

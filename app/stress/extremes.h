@@ -12,6 +12,7 @@ std::vector<Extreme> material_extremes();
 std::vector<Extreme> mesh_extremes();
 std::vector<Extreme> script_extremes();
 std::vector<Extreme> obstacle_extremes();
+std::vector<Extreme> contact_extremes();
 std::vector<Extreme> bending_extremes();
 
 // Low and high end of the first body along its longest axis, and its middle; across: where it is thinnest, but not

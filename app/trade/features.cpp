@@ -40,6 +40,16 @@ void add_obstacle_features(const Document& scene, std::vector<TradeCase>& list) 
   }
 }
 
+void add_contact_features(const Document& scene, std::vector<TradeCase>& list) {
+  const auto count = static_cast<int>(scene.scene.contacts.size());
+  for (int k = 0; k < count; ++k) {
+    const std::string name = "contact " + std::to_string(k);
+    list.push_back(without(name, "contact", list_toml(scene, "contact", k)));
+    if (scene.scene.contacts[k].friction > 0)
+      list.push_back(without(name + ": friction", "contact." + std::to_string(k) + ".friction", "0"));
+  }
+}
+
 void add_step_features(const Document& scene, std::vector<TradeCase>& list) {
   const sim::Scheme& scheme = *sim::find_scheme(scene.scene.time.integrator);
   if (scheme.is_explicit()) return;
@@ -60,6 +70,7 @@ std::vector<TradeCase> without_features(const Document& scene) {
     list.push_back(without("gravity", "world.gravity", scene.scene.dimension == 2 ? "[0.0, 0.0]" : "[0.0, 0.0, 0.0]"));
   for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) add_body_features(scene, b, list);
   add_obstacle_features(scene, list);
+  add_contact_features(scene, list);
   if (!scene.scene.springs.empty()) list.push_back(without("springs", "spring", "[]"));
   add_step_features(scene, list);
   return list;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "app/base/text.h"
 #include "sim/element/element.h"
 #include "sim/time/scheme.h"
 
@@ -18,7 +20,8 @@ std::string step_text(const Document& scene, int substeps) {
 // Whether a step freezes something at its start, which costs an order of accuracy: solver.lag_iterations.
 bool lags(const sim::Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const sim::Body& body) { return body.damping.beta > 0; }) ||
-         std::ranges::any_of(scene.obstacles, [](const sim::Obstacle& obstacle) { return obstacle.friction > 0; });
+         std::ranges::any_of(scene.obstacles, [](const sim::Obstacle& obstacle) { return obstacle.friction > 0; }) ||
+         std::ranges::any_of(scene.contacts, [](const sim::Contact& contact) { return contact.friction > 0; });
 }
 
 TradeCase lagging(const TradeCase& which) {
@@ -76,6 +79,23 @@ void add_body_case(const Document& scene, const TradeCase& around, const std::st
   if (changed) list.push_back(which);
 }
 
+// Where contact begins, of all entries at once: a quarter of the scene's, and four times as much. Where the scene does
+// not say, it is a thousandth of the smallest body.
+void add_distance_cases(const sim::Scene& scene, const TradeCase& around, std::vector<TradeCase>& list) {
+  if (scene.contacts.empty()) return;
+  double size = std::numeric_limits<double>::infinity();
+  for (const sim::Body& body : scene.bodies)
+    size = std::min(size, (body.mesh.X.rowwise().maxCoeff() - body.mesh.X.rowwise().minCoeff()).maxCoeff());
+  for (const double factor : {0.25, 4.0}) {
+    TradeCase which = around;
+    for (std::size_t k = 0; k < scene.contacts.size(); ++k)
+      which = with(which, "", "contact." + std::to_string(k) + ".distance",
+                   formatted("%.3g", factor * scene.contacts[k].distance.value_or(1e-3 * size)));
+    which.label = around.label + formatted(", contact distance x %g", factor);
+    list.push_back(which);
+  }
+}
+
 }  // namespace
 
 TradeCase time_case(const Document& scene, std::string_view integrator, int substeps) {
@@ -119,6 +139,7 @@ std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around
   const std::string integrator = setting(around, "time.integrator", scene.scene.time.integrator);
   const bool implicit = !sim::find_scheme(integrator)->is_explicit();
   if (implicit) add_solver_cases(scene.scene.solver, start, list);
+  if (implicit) add_distance_cases(scene.scene, start, list);
   if (implicit && lags(scene.scene) && scene.scene.solver.lag_iterations == 0) list.push_back(lagging(start));
   const auto mass = [](const sim::Body& body) { return std::string(name_of(body.mass)); };
   const auto model = [](const sim::Body& body) { return body.materials.front().model; };

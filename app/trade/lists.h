@@ -31,7 +31,7 @@ struct MeshChange {
 // Coarser and finer meshes, linear, quadratic and of bricks where the scene's meshes can be made so.
 std::vector<MeshChange> mesh_changes(const Document& scene);
 
-// One setting changed at a time: tolerance, linear solver, definiteness, mass, material.
+// One setting changed at a time: tolerance, linear solver, definiteness, contact distance, mass, material.
 std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around);
 
 // The settings of `a`, then those of `b` over them.

@@ -1,50 +1,20 @@
 #include "sim/body/pins.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
+
+#include "sim/body/pose.h"
 
 namespace sim {
 
-namespace {
-
-// x(t) = c + R(theta) (X - c) + translate, and its derivative along the script.
-struct Pose {
-  Keyframe at;  // pose now
-  Vec3 translate_rate = {0, 0, 0};
-  double degrees_rate = 0;
-
-  // Linear between keyframes, constant outside; at a keyframe the rate is that of the piece before it.
-  Pose(const std::vector<Keyframe>& motion, double t) {
-    if (motion.empty()) return;
-    std::size_t k = 0;
-    while (k < motion.size() && motion[k].t < t) ++k;
-    at = motion[k == motion.size() ? k - 1 : k];
-    if (k == 0 || k == motion.size()) return;
-    const Keyframe &from = motion[k - 1], &to = motion[k];
-    const double span = to.t - from.t, s = (t - from.t) / span;
-    at.translate = (1 - s) * from.translate + s * to.translate;
-    at.degrees = (1 - s) * from.degrees + s * to.degrees;
-    translate_rate = (to.translate - from.translate) / span;
-    degrees_rate = (to.degrees - from.degrees) / span;
-  }
-
-  void apply(const Vec3& X, Vec3& x, Vec3& v) const {
-    constexpr double radians = 3.14159265358979323846 / 180;
-    const Vec3 arm = Eigen::AngleAxisd(at.degrees * radians, at.axis.normalized()) * (X - at.centre);
-    x = at.centre + arm + at.translate;
-    v = degrees_rate * radians * at.axis.normalized().cross(arm) + translate_rate;
-  }
-};
-
-}  // namespace
-
-void Pins::add(const Pin& pin, const std::vector<int>& nodes, const Eigen::VectorXd& X, int D) {
+void Pins::add(const Pin& pin, const std::vector<int>& nodes, const Eigen::VectorXd& X, int D, const Name& name) {
   D_ = D;
   Held held{nodes,
             Eigen::VectorXd(nodes.size() * D),
             {},
             pin.motion,
-            pin.release.value_or(std::numeric_limits<double>::infinity())};
+            pin.release.value_or(std::numeric_limits<double>::infinity()),
+            name};
   for (std::size_t i = 0; i < nodes.size(); ++i) held.rest.segment(i * D, D) = X.segment(nodes[i] * D, D);
   for (int c = 0; c < D; ++c)
     if (pin.axes.find("xyz"[c]) != std::string::npos) held.axes.push_back(c);
@@ -70,9 +40,9 @@ void Pins::prescribe(double t, Eigen::VectorXd& x, Eigen::VectorXd& v) const {
     if (t > pin.release) continue;
     const Pose pose(pin.motion, t);
     for (std::size_t i = 0; i < pin.nodes.size(); ++i) {
-      Vec3 X = Vec3::Zero(), position, velocity;
+      Vec3 X = Vec3::Zero();
       X.head(D_) = pin.rest.segment(i * D_, D_);
-      pose.apply(X, position, velocity);
+      const Vec3 position = pose.place(X), velocity = pose.velocity(position);
       for (const int c : pin.axes) {
         x[pin.nodes[i] * D_ + c] = position[c];
         v[pin.nodes[i] * D_ + c] = velocity[c];
@@ -86,6 +56,12 @@ std::vector<int> Pins::nodes(double t) const {
   for (const Held& pin : pins_)
     if (t <= pin.release) all.insert(all.end(), pin.nodes.begin(), pin.nodes.end());
   return all;
+}
+
+Pins::Name Pins::name_of(int node, double t) const {
+  for (const Held& pin : pins_)
+    if (t <= pin.release && std::find(pin.nodes.begin(), pin.nodes.end(), node) != pin.nodes.end()) return pin.name;
+  return {};
 }
 
 }  // namespace sim

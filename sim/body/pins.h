@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "sim/scene.h"
@@ -10,9 +11,13 @@ namespace sim {
 
 class Pins {
  public:
+  // For messages: what prescribes ("pin 0 of \"bear\""), and the body or obstacle that it moves.
+  struct Name {
+    std::string text, owner;
+  };
   // Adds the pin's nodes (numbers of the system). D numbers per node; X: the positions that its script moves, of the
   // system.
-  void add(const Pin& pin, const std::vector<int>& nodes, const Eigen::VectorXd& X, int D);
+  void add(const Pin& pin, const std::vector<int>& nodes, const Eigen::VectorXd& X, int D, const Name& name);
 
   bool empty() const { return pins_.empty(); }
   // Number of pins that are released at time t or before: while it is the same, so are the free components.
@@ -22,6 +27,8 @@ class Pins {
   // Writes prescribed positions and velocities of time t; other components stay.
   void prescribe(double t, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
   std::vector<int> nodes(double t) const;
+  // Of the pin that prescribes the node at time t.
+  Name name_of(int node, double t) const;
 
  private:
   struct Held {
@@ -30,6 +37,7 @@ class Pins {
     std::vector<int> axes;  // components prescribed
     std::vector<Keyframe> motion;
     double release;  // s; infinity: never
+    Name name;
   };
   int D_ = 3;
   std::vector<Held> pins_;

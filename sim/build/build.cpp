@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim/body/start.h"
 #include "sim/build/barrier_scheme.h"
@@ -10,8 +9,7 @@
 #include "sim/build/held.h"
 #include "sim/build/key_path.h"
 #include "sim/build/loads.h"
-#include "sim/build/touching.h"
-#include "sim/contact/skin.h"
+#include "sim/build/obstacles.h"
 #include "sim/element/element.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/order.h"
@@ -19,7 +17,6 @@
 #include "sim/solve/newton.h"
 #include "sim/term/damping.h"
 #include "sim/term/gravity.h"
-#include "sim/term/obstacle.h"
 #include "sim/term/untangle.h"
 #include "sim/time/implicit.h"
 #include "sim/time/stable_step.h"
@@ -74,7 +71,8 @@ void add_body(Model& model, std::size_t b) {
     std::vector<int> nodes = below(key, [&] { return nodes_in(body.mesh, body.pins[k].where); });
     if (nodes.empty()) throw InputError(key, "no node of \"" + body.name + "\" is in this region");
     for (int& node : nodes) node += range.first_node;
-    model.pins.add(body.pins[k], nodes, body.pins[k].at_start ? model.x_start : model.X, model.D);
+    model.pins.add(body.pins[k], nodes, body.pins[k].at_start ? model.x_start : model.X, model.D,
+                   {"pin " + std::to_string(k) + " of \"" + body.name + "\"", body.name});
   }
 }
 
@@ -82,7 +80,8 @@ void place_nodes(Model& model) {
   for (const Body& body : model.bodies)
     model.ranges.push_back(range_of(body, model.ranges.empty() ? nullptr : &model.ranges.back()));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) model.ranges[b].mesh = &model.bodies[b].mesh;
-  model.node_count = model.ranges.empty() ? 0 : model.ranges.back().first_node + model.ranges.back().node_count;
+  model.body_nodes = model.ranges.empty() ? 0 : model.ranges.back().first_node + model.ranges.back().node_count;
+  number_obstacle_nodes(model);
   model.X = Eigen::VectorXd::Zero(model.dofs());
   model.node_size.resize(model.node_count);
   for (const BodyRange& range : model.ranges) {
@@ -91,12 +90,14 @@ void place_nodes(Model& model) {
       model.X.segment(static_cast<Eigen::Index>(range.first_node + i) * model.D, range.mesh->dimension()) =
           range.mesh->X.col(i);
   }
+  place_obstacle_nodes(model);
   model.bound = 1e12 * model.X.lpNorm<Eigen::Infinity>();
 }
 
 // Where the bodies start; each has random numbers of its own.
 void place_start(Model& model, std::uint64_t seed) {
   model.x_start = model.X;
+  move_obstacles_to_start(model);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Start& start = model.bodies[b].start;
     if (start.shape == "rest" && !start.perturbation) continue;
@@ -109,7 +110,8 @@ void place_start(Model& model, std::uint64_t seed) {
 
 // A material whose energy is infinite where J <= 0 cannot start there.
 void check_start(const Model& model) {
-  if (model.x_start == model.X) return;
+  const Eigen::Index own = static_cast<Eigen::Index>(model.body_nodes) * model.D;
+  if (model.x_start.head(own) == model.X.head(own)) return;
   Eigen::VectorXd x = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
   model.pins.prescribe(0, x, v);
   for (const auto& [term, number, body] : model.elastic) {
@@ -140,33 +142,6 @@ void add_own_terms(Model& model, std::size_t b) {
   model.terms.push_back(std::make_unique<RayleighDamping>(body, model.masses[b], std::move(own), model.D));
 }
 
-// Barriers begin at a thousandth of the smallest body, friction is fully grown at a thousandth of it a second.
-// kappa A_i with a tenth of Young's modulus, as in contact, and the node's share A_i of the surface: about that
-// pressure is carried at half of the barrier's width, at any mesh.
-void add_obstacles(Model& model, const std::vector<Obstacle>& obstacles) {
-  if (obstacles.empty()) return;
-  constexpr double thousandth = 1e-3, tenth = 0.1;
-  const std::vector<char> still = still_nodes(model);
-  std::vector<ObstacleTerm::Contact> contacts;
-  double size = std::numeric_limits<double>::infinity();
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Body& body = model.bodies[b];
-    Skin skin;
-    skin.D = model.D;
-    add_part(skin, flat_faces(body.mesh, model.D), body.mesh.X, model.ranges[b].first_node, body.thickness);
-    for (std::size_t p = 0; p < skin.node.size(); ++p)
-      if (!still[skin.node[p]])
-        contacts.push_back({skin.node[p], tenth * body.materials[0].young * skin.point_area[p]});
-    size = std::min(size, model.ranges[b].size);
-  }
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    auto term = std::make_unique<ObstacleTerm>(obstacles[k], contacts, thousandth * size, thousandth * size, model.D);
-    for (const BodyRange& body : model.ranges)
-      part_from_obstacle(*term, key_of("obstacle", k), body, thousandth * size / 2, model);
-    model.terms.push_back(std::move(term));
-  }
-}
-
 // Explicit schemes with substeps = 0: what stability needs, with a margin for what stiffens while it moves.
 void settle_substeps(Parts& parts) {
   constexpr double margin = 0.8;
@@ -184,7 +159,9 @@ void form_pattern(Parts& parts) {
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
   if (!model.contacts.empty() && model.solver.newton == NewtonKind::pure)
-    throw InputError("solver.newton", "\"pure\" is not for scenes with a [[contact]], whose steps must be cut");
+    throw InputError("solver.newton",
+                     "\"pure\" is not for scenes with a [[contact]] or an obstacle that is a mesh, whose "
+                     "steps must be cut");
   model.solver.linear = settled_solver(model.solver.linear, model.dofs());
   if (by_itself && model.node_count > 0)
     parts.remarks.push_back(model.solver.linear == LinearSolverKind::two_level
@@ -212,6 +189,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   model.time = scene.time;
   model.solver = scene.solver;
   model.bodies = scene.bodies;
+  model.obstacles = scene.obstacles;
   // Nothing is divided by the mass of a static scene; its weight is that of the true integrals.
   if (parts->scheme->is_static)
     for (Body& body : model.bodies) body.mass = MassMatrix::consistent;
@@ -224,7 +202,7 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
     add_loads(model, b);
     add_own_terms(model, b);
   }
-  add_obstacles(model, scene.obstacles);
+  add_obstacles(*parts);
   add_contacts(*parts, scene);
   add_springs(model, scene.springs);
   for (std::size_t k = 0; k < scene.probes.size(); ++k)

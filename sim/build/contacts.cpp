@@ -1,11 +1,12 @@
 #include "sim/build/contacts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
+#include "sim/build/contact_start.h"
+#include "sim/build/key_path.h"
+#include "sim/build/obstacles.h"
 #include "sim/mesh/input_error.h"
 #include "sim/term/contact.h"
 
@@ -13,7 +14,7 @@ namespace sim {
 
 namespace {
 
-constexpr double thousandth = 1e-3;
+constexpr double thousandth = 1e-3, tenth = 0.1;
 
 int body_named(const Model& model, const std::string& name, const std::string& key) {
   const auto found =
@@ -49,9 +50,16 @@ double softest(const Body& body) {
 Couple couple_of(const Model& model, const Contact& contact, int a, int b) {
   Couple couple{a, b, 0, 0};
   couple.dh = contact.distance.value_or(thousandth * std::min(model.ranges[a].size, model.ranges[b].size));
-  couple.kappa = contact.stiffness.value_or(0.1 * std::min(softest(model.bodies[a]), softest(model.bodies[b])));
+  couple.kappa = contact.stiffness.value_or(tenth * std::min(softest(model.bodies[a]), softest(model.bodies[b])));
   couple.xi = contact.offset.value_or(0);
   return couple;
+}
+
+// The surface of a body, as a part of the skin.
+void add_body_part(ContactTerm::Input& input, const Model& model, int body) {
+  const Body& it = model.bodies[body];
+  input.names.push_back(model.ranges[body].name);
+  add_part(input.skin, flat_faces(it.mesh, model.D), it.mesh.X, model.ranges[body].first_node, it.thickness);
 }
 
 ContactTerm::Input input_of(const Model& model, const Contact& contact, const std::string& key,
@@ -70,9 +78,7 @@ ContactTerm::Input input_of(const Model& model, const Contact& contact, const st
     for (const int body : {a, b}) {
       if (part[body] >= 0) continue;
       part[body] = static_cast<int>(input.skin.parts.size());
-      input.names.push_back(model.ranges[body].name);
-      const Body& it = model.bodies[body];
-      add_part(input.skin, flat_faces(it.mesh, model.D), it.mesh.X, model.ranges[body].first_node, it.thickness);
+      add_body_part(input, model, body);
     }
     Couple couple = couple_of(model, contact, a, b);
     couple.a = part[a];
@@ -84,11 +90,12 @@ ContactTerm::Input input_of(const Model& model, const Contact& contact, const st
 
 // Pairs that are near each other at rest already must not push: of a body with itself, and where an offset is given.
 void settle_distance(ContactTerm::Input& input, const Contact& contact, const Model& model) {
+  const Motion rest{model.X, model.X, 0, 0};
   for (Couple& couple : input.couples) {
     if (couple.a != couple.b) continue;
     ContactTerm::Input alone{input.name, input.skin, {couple}, 0, 0, input.names};
     alone.couples[0].dh = 2 * couple.dh;
-    const double gap = ContactTerm(std::move(alone), model.X).reports(model.X)[0].gap;
+    const double gap = ContactTerm(std::move(alone), model.X).reports(rest, rest)[0].gap;
     if (contact.distance && gap < couple.dh)
       throw InputError("contact", "\"" + input.names[couple.a] + "\" is within the distance of itself at rest: " +
                                       std::to_string(gap) + " m, so take a smaller one");
@@ -96,46 +103,31 @@ void settle_distance(ContactTerm::Input& input, const Contact& contact, const Mo
   }
 }
 
-std::string text_of(const Vec3& x, int D) {
-  std::ostringstream text;
-  text << '(' << x[0] << ", " << x[1];
-  if (D == 3) text << ", " << x[2];
-  text << ')';
-  return text.str();
+// In the plane, where an obstacle is as thick as what touches it.
+double thickest(const Model& model) {
+  double thickness = 0;
+  for (const Body& body : model.bodies) thickness = std::max(thickness, body.thickness);
+  return thickness;
 }
 
-// Bodies that cross, or touch, at the start could only be forced apart.
-void check_contact_start(const ContactTerm& term, const Eigen::VectorXd& x, const std::string& key) {
-  const ContactTerm::Input& in = term.input();
-  const auto names = [&](const Couple& couple) {
-    return couple.a == couple.b ? "\"" + in.names[couple.a] + "\" crosses itself"
-                                : "\"" + in.names[couple.a] + "\" and \"" + in.names[couple.b] + "\" cross each other";
-  };
-  const std::vector<Crossing> all = term.crossings(x);
-  if (!all.empty()) {
-    std::string places;
-    const std::size_t shown = std::min<std::size_t>(3, all.size());
-    for (std::size_t k = 0; k < shown; ++k) places += (k ? ", " : "") + text_of(all[k].at, in.skin.D);
-    throw InputError(key, names(in.couples[all[0].couple]) + " at the start, at " + std::to_string(all.size()) +
-                              (all.size() == 1 ? " place" : " places") + ", near " + places +
-                              ": bodies of a [[contact]] must start apart");
-  }
-  const auto store = term.make_store(1);
-  if (std::isfinite(term.energy({x, x, 0, 0}, *store))) return;
-  throw InputError(key,
-                   "bodies touch, or are nearer than the offset, at the start: leave a gap between them, as small "
-                   "as a thousandth of the distance where the barrier begins");
+// Friction is fully grown at a thousandth of the smallest body a second.
+void add_term(Model& model, ContactTerm::Input input, const std::string& key) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const BodyRange& range : model.ranges) size = std::min(size, range.size);
+  input.eps = thousandth * size;
+  auto term = std::make_unique<ContactTerm>(std::move(input), model.X);
+  Eigen::VectorXd start = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
+  model.pins.prescribe(0, start, v);
+  check_contact_start(*term, start, key);
+  model.contacts.push_back(term.get());
+  model.terms.push_back(std::move(term));
 }
 
 }  // namespace
 
 void add_contacts(Parts& parts, const Scene& scene) {
   Model& model = parts.model;
-  Eigen::VectorXd start = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
-  model.pins.prescribe(0, start, v);
   std::set<std::pair<int, int>> named;
-  double size = std::numeric_limits<double>::infinity();
-  for (const BodyRange& range : model.ranges) size = std::min(size, range.size);
   // Entries that name their bodies come before those that mean every pair.
   std::vector<std::size_t> order;
   for (const bool every : {false, true})
@@ -143,17 +135,33 @@ void add_contacts(Parts& parts, const Scene& scene) {
       if (scene.contacts[k].between.empty() == every) order.push_back(k);
   for (const std::size_t k : order) {
     const Contact& contact = scene.contacts[k];
-    ContactTerm::Input input = input_of(model, contact, "contact." + std::to_string(k), named);
+    ContactTerm::Input input = input_of(model, contact, key_of("contact", k), named);
     if (input.couples.empty()) continue;
-    input.eps = thousandth * size;
     for (const std::string& name : contact.between) input.name += (input.name.empty() ? "" : " ") + name;
     if (input.name.empty()) input.name = "of every pair";
     settle_distance(input, contact, model);
-    auto term = std::make_unique<ContactTerm>(std::move(input), model.X);
-    check_contact_start(*term, start, "contact." + std::to_string(k));
-    model.contacts.push_back(term.get());
-    model.terms.push_back(std::move(term));
+    add_term(model, std::move(input), key_of("contact", k));
   }
+}
+
+void add_contacts_with_obstacle(Parts& parts, std::size_t k) {
+  Model& model = parts.model;
+  const Obstacle& obstacle = model.obstacles[k];
+  const RigidSurface& surface = std::get<RigidSurface>(obstacle.shape);
+  ContactTerm::Input input;
+  input.name = name_of_obstacle(model, k);
+  input.skin.D = model.D;
+  input.friction = obstacle.friction;
+  input.first_given = model.body_nodes;
+  if (obstacle.release) input.release = *obstacle.release;
+  const int bodies = static_cast<int>(model.bodies.size());
+  for (int b = 0; b < bodies; ++b) {
+    add_body_part(input, model, b);
+    input.couples.push_back({b, bodies, thousandth * model.ranges[b].size, tenth * softest(model.bodies[b])});
+  }
+  input.names.push_back(input.name);
+  add_part(input.skin, surface.faces, surface.X, model.obstacle_nodes[k].first, thickest(model));
+  add_term(model, std::move(input), key_of("obstacle", k));
 }
 
 }  // namespace sim

@@ -12,5 +12,7 @@ namespace sim {
 
 // Adds one term for each entry of scene.contacts. Throws InputError, where bodies start crossed or too near as well.
 void add_contacts(Parts& parts, const Scene& scene);
+// Adds one term for every body and obstacle k of the model, a surface; dh and kappa are those of the body.
+void add_contacts_with_obstacle(Parts& parts, std::size_t k);
 
 }  // namespace sim

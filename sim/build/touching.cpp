@@ -33,11 +33,11 @@ std::vector<Vec3> surface_points(const BodyRange& body, const std::vector<char>&
   return points;
 }
 
-Deepest find_deepest(const ObstacleTerm& obstacle, const std::vector<Vec3>& points) {
+Deepest find_deepest(const ObstacleTerm::Shape& obstacle, const std::vector<Vec3>& points) {
   Deepest deepest;
   for (const Vec3& x : points) {
     Vec3 normal;
-    const double d = obstacle.distance(x, normal);
+    const double d = distance(obstacle, x, normal);
     deepest.largest = std::max(deepest.largest, x.cwiseAbs().maxCoeff());
     if (d < deepest.distance) deepest = {d, normal, deepest.largest};
   }
@@ -45,14 +45,14 @@ Deepest find_deepest(const ObstacleTerm& obstacle, const std::vector<Vec3>& poin
 }
 
 // The least t [m] for which distance(x + t n) > 0, by doubling and halving, as any shape can say its distance.
-double way_out(const ObstacleTerm& obstacle, const Vec3& x, const Vec3& n, double depth) {
+double way_out(const ObstacleTerm::Shape& obstacle, const Vec3& x, const Vec3& n, double depth) {
   constexpr int halvings = 60;
   Vec3 normal;
   double low = 0, high = depth;
-  while (!(obstacle.distance(x + high * n, normal) > 0) && high < 1e6 * depth) high *= 2;
+  while (!(distance(obstacle, x + high * n, normal) > 0) && high < 1e6 * depth) high *= 2;
   for (int k = 0; k < halvings; ++k) {
     const double middle = (low + high) / 2;
-    (obstacle.distance(x + middle * n, normal) > 0 ? high : low) = middle;
+    (distance(obstacle, x + middle * n, normal) > 0 ? high : low) = middle;
   }
   return high;
 }
@@ -71,9 +71,10 @@ std::vector<char> still_nodes(const Model& model) {
   return still;
 }
 
-void part_from_obstacle(const ObstacleTerm& obstacle, const std::string& key, const BodyRange& body, double gap,
+void part_from_obstacle(const ObstacleTerm& term, const std::string& key, const BodyRange& body, double gap,
                         Model& model) {
   constexpr double billionth = 1e-9, last_digits = 1e-14;  // of the body's size, of coordinates far from the origin
+  const ObstacleTerm::Shape obstacle = term.shape(model.x_start);
   const std::vector<Vec3> points = surface_points(body, still_nodes(model), model);
   const Deepest deepest = find_deepest(obstacle, points);
   if (deepest.distance > 0) return;
@@ -85,7 +86,7 @@ void part_from_obstacle(const ObstacleTerm& obstacle, const std::string& key, co
   double way = 0;
   for (const Vec3& x : points) {
     Vec3 normal;
-    if (obstacle.distance(x, normal) <= 0) way = std::max(way, way_out(obstacle, x, deepest.out, -deepest.distance));
+    if (distance(obstacle, x, normal) <= 0) way = std::max(way, way_out(obstacle, x, deepest.out, -deepest.distance));
   }
   std::ostringstream message;
   message << "\"" << body.name << "\" starts " << -deepest.distance << " m inside this obstacle: translate it by (";

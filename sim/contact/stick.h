@@ -9,7 +9,8 @@ namespace sim {
 
 struct Stick {
   // strength: mu lambda [N]
-  Stick(const TouchPotential& at, double friction) : count(at.distance.nodes), n(at.distance.n) {
+  Stick(const TouchPotential& at, double friction)
+      : couple(at.touch.couple), count(at.distance.nodes), n(at.distance.n) {
     strength = friction * at.push();
     for (int i = 0; i < count; ++i) {
       point[i] = at.touch.point[at.touch.near[i]];
@@ -17,6 +18,7 @@ struct Stick {
     }
   }
 
+  int couple;
   std::array<int, 4> point = {-1, -1, -1, -1};
   int count;
   double c[4] = {};

@@ -15,6 +15,7 @@ constexpr int most_refinements = 8;
 std::vector<int> first_nodes(const Model& model) {
   std::vector<int> first;
   for (const BodyRange& range : model.ranges) first.push_back(range.first_node);
+  first.push_back(model.body_nodes);
   first.push_back(model.node_count);
   return first;
 }

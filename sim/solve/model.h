@@ -7,9 +7,11 @@
 
 #include "sim/body/body_range.h"
 #include "sim/body/mass.h"
+#include "sim/body/obstacle_nodes.h"
 #include "sim/body/pins.h"
 #include "sim/term/contact.h"
 #include "sim/term/elastic.h"
+#include "sim/term/obstacle.h"
 #include "sim/term/term.h"
 
 namespace sim {
@@ -23,19 +25,23 @@ struct ElasticPart {
 
 struct Model {
   int D = 3;
-  int node_count = 0;
+  int node_count = 0;  // of bodies, then of obstacles
+  int body_nodes = 0;
   int threads = 1;
   Time time;  // substeps settled
   Solver solver;
   std::vector<Body> bodies;
   std::vector<BodyRange> ranges;
-  Eigen::VectorXd X;          // rest positions, D numbers per node
-  Eigen::VectorXd x_start;    // positions at t = 0
-  Eigen::VectorXd node_size;  // body size [m] at each node
-  std::vector<Mass> masses;   // one for each body
+  std::vector<Obstacle> obstacles;
+  std::vector<ObstacleNodes> obstacle_nodes;  // of each
+  Eigen::VectorXd X;                          // rest positions, D numbers per node
+  Eigen::VectorXd x_start;                    // positions at t = 0
+  Eigen::VectorXd node_size;                  // body size [m] at each node
+  std::vector<Mass> masses;                   // one for each body
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<ElasticPart> elastic;
   std::vector<const ContactTerm*> contacts;  // of the terms
+  std::vector<const ObstacleTerm*> smooth;   // of them: planes and spheres
   std::optional<BlockPattern> pattern;       // only where a solver forms a matrix
   Pins pins;
   double energy_scale = 0;  // J: Young's modulus times volume, all bodies; round-off of U is relative to it

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/solve/exactness.h"
+#include "sim/solve/pressed.h"
 #include "sim/solve/progress.h"
 #include "sim/solve/stopwatch.h"
 
@@ -159,7 +160,7 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
     const bool found = direction(stage, motion, fix_, false, tight, report);
     is_moving_ = false;
     if (k == most_moves || !found) {
-      report.failure = "something that is prescribed is pressed into bodies that cannot make room";
+      report.failure = pressed_text(model_, motion, way_);
       return false;
     }
     ++report.newton;

@@ -20,9 +20,9 @@ SamplePoints sample_points(const System& system) {
   const Model& model = parts_of(system).model;
   SamplePoints points;
   points.dimension = model.D;
-  points.X = Eigen::Map<const Eigen::MatrixXd>(model.X.data(), model.D, model.node_count);
-  points.mass.resize(model.node_count);
-  points.size.resize(model.node_count);
+  points.X = Eigen::Map<const Eigen::MatrixXd>(model.X.data(), model.D, model.body_nodes);
+  points.mass.resize(model.body_nodes);
+  points.size.resize(model.body_nodes);
   for (std::size_t b = 0; b < model.ranges.size(); ++b) {
     const BodyRange& range = model.ranges[b];
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(model.dofs());

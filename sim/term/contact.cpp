@@ -86,6 +86,7 @@ void ContactTerm::cover(Contacts& s) const {
 bool ContactTerm::find_touches(const Motion& motion, Contacts& s) const {
   place(motion.x, s);
   s.touches.clear();
+  if (is_gone(motion.t)) return true;
   if (!s.x.allFinite()) return false;
   cover(s);
   for (const Candidate& candidate : s.candidates)
@@ -117,7 +118,7 @@ double ContactTerm::energy(const Motion& motion, Store& store) const {
   if (!find_touches(motion, s)) return std::numeric_limits<double>::infinity();
   double U = 0;
   for (const Touch& touch : s.touches) U += touch_energy(touch, in_.couples[touch.couple], s.x);
-  if (motion.dv_dx != 0)
+  if (motion.dv_dx != 0 && !is_gone(motion.t))
     for (const Stick& stick : s.sticks)
       U += stick.strength * SmoothFriction(slip(stick, motion.v).norm(), in_.eps).f0 / motion.dv_dx;
   return U;
@@ -135,6 +136,7 @@ void ContactTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd
   find_touches(motion, s);
   for (const Touch& touch : s.touches)
     scatter(touch.point, points_in(touch), -TouchPotential(touch, in_.couples[touch.couple], s.x).gradient(), f);
+  if (is_gone(motion.t)) return;
   for (const Stick& stick : s.sticks)
     scatter(stick.point, stick.count,
             spread(stick, Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))), f);
@@ -143,7 +145,8 @@ void ContactTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd
 void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const {
   auto& s = static_cast<Contacts&>(store);
   add_forces(motion, store, f);
-  s.blocks.resize(s.touches.size() + s.sticks.size());
+  const std::size_t sticks = is_gone(motion.t) ? 0 : s.sticks.size();
+  s.blocks.resize(s.touches.size() + sticks);
 #pragma omp parallel for schedule(static) num_threads(s.threads)
   for (std::size_t k = 0; k < s.touches.size(); ++k) {
     const Touch& touch = s.touches[k];
@@ -155,7 +158,7 @@ void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store
     else
       s.blocks[k].K = TouchPotential(touch, in_.couples[touch.couple], s.x).tangent(fix);
   }
-  for (std::size_t k = 0; k < s.sticks.size(); ++k) {
+  for (std::size_t k = 0; k < sticks; ++k) {
     const Stick& stick = s.sticks[k];
     const Eigen::Matrix3d K = stick.strength * motion.dv_dx * slip_tangent(slip(stick, motion.v), stick.n, in_.eps);
     s.blocks[s.touches.size() + k] = {stick.point, stick.count, spread(stick, K)};
@@ -183,7 +186,7 @@ void ContactTerm::add_matrix(const Store& store, double scale, BlockMatrix& A) c
     for (int i = 0; i < block.count; ++i)
       for (int j = 0; j < block.count; ++j) {
         const int row = in_.skin.node[block.point[i]], column = in_.skin.node[block.point[j]];
-        if (row > column) continue;
+        if (row > column || column >= in_.first_given) continue;
         double* to = A.find(row, column);
         for (int r = 0; r < D; ++r)
           for (int c = 0; c < D; ++c) to[r * D + c] += scale * block.K(3 * i + r, 3 * j + c);
@@ -201,28 +204,64 @@ void ContactTerm::add_pairs(const Store& store, std::vector<NodePair>& pairs) co
     for (int i = 0; i < block.count; ++i)
       for (int j = 0; j < block.count; ++j) {
         const int row = in_.skin.node[block.point[i]], column = in_.skin.node[block.point[j]];
-        if (row < column) pairs.push_back({row, column});
+        if (row < column && column < in_.first_given) pairs.push_back({row, column});
       }
 }
 
-std::vector<ContactReport> ContactTerm::reports(const Eigen::VectorXd& x) const {
+// The part of a force on points, three numbers each, that acts on the first of two bodies.
+Vec3 ContactTerm::on_first(const Couple& couple, const std::array<int, 4>& points, int count,
+                           const PairVector& force) const {
+  Vec3 sum = Vec3::Zero();
+  if (couple.a == couple.b) return sum;
+  const Span& first = in_.skin.parts[couple.a].points;
+  for (int i = 0; i < count; ++i)
+    if (points[i] >= first.first && points[i] < first.last) sum += force.segment<3>(3 * i);
+  return sum;
+}
+
+// What lies under the points that a face pushes; points of both sides carry half of it each.
+double ContactTerm::area_of(const Candidate& candidate, Contacts& s) const {
+  if (candidate.kind == PairKind::edge_edge) return 0;
+  std::vector<Touch> touches;
+  add_touches(in_.skin, in_.couples, candidate, s.x, touches);
+  double area = 0;
+  for (const Touch& touch : touches) area += touch.weight / in_.couples[touch.couple].kappa;
+  return area;
+}
+
+std::vector<ContactReport> ContactTerm::reports(const Motion& begin, const Motion& motion) const {
   const auto store = make_store(1);
   auto& s = static_cast<Contacts&>(*store);
   std::vector<ContactReport> all;
   for (const Couple& couple : in_.couples) all.push_back({in_.names[couple.a], in_.names[couple.b]});
-  if (!find_touches({x, x, 0, 0}, s)) return all;
+  begin_step(begin, s);
+  if (!find_touches(motion, s) || is_gone(motion.t)) return all;
   for (const Touch& touch : s.touches) {
     const Couple& couple = in_.couples[touch.couple];
     ContactReport& report = all[touch.couple];
     ++report.pairs;
     report.gap = std::min(report.gap, touch.d - couple.xi);
-    if (couple.a == couple.b) continue;
-    const PairVector g = TouchPotential(touch, couple, s.x).gradient();
-    const Span& first = in_.skin.parts[couple.a].points;
-    for (int i = 0; i < points_in(touch); ++i)
-      if (touch.point[i] >= first.first && touch.point[i] < first.last) report.force -= g.segment<3>(3 * i);
+    report.force += on_first(couple, touch.point, points_in(touch), -TouchPotential(touch, couple, s.x).gradient());
   }
+  for (const Stick& stick : s.sticks)
+    all[stick.couple].friction +=
+        on_first(in_.couples[stick.couple], stick.point, stick.count,
+                 spread(stick, Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))));
+  for (const Candidate& candidate : s.candidates) all[candidate.couple].area += area_of(candidate, s);
   return all;
+}
+
+Nearness ContactTerm::nearest(const Eigen::VectorXd& x, double t) const {
+  const auto store = make_store(1);
+  auto& s = static_cast<Contacts&>(*store);
+  Nearness least;
+  if (!find_touches({x, x, t, 0}, s)) return least;
+  for (const Touch& touch : s.touches) {
+    const Couple& couple = in_.couples[touch.couple];
+    const double gap = touch.d - couple.xi;
+    if (gap / couple.dh < least.share) least = {in_.names[couple.a], in_.names[couple.b], gap, gap / couple.dh};
+  }
+  return least;
 }
 
 std::vector<Crossing> ContactTerm::crossings(const Eigen::VectorXd& x) const {
@@ -235,6 +274,7 @@ std::vector<Crossing> ContactTerm::crossings(const Eigen::VectorXd& x) const {
 // Looks for candidates on the whole way first, on ever shorter parts of it where they would be too many.
 double ContactTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store& store) const {
   constexpr std::size_t most_each = 64;  // candidates a point, on average: a wild way must not fill the memory
+  if (is_gone(motion.t)) return 1;
   auto& s = static_cast<Contacts&>(store);
   const auto n = static_cast<Eigen::Index>(in_.skin.node.size());
   place(dx, s);

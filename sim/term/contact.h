@@ -4,13 +4,17 @@
 // when the step began: U_f = mu lambda f0(|T sum_i c_i v_i|) g h. [Li et al. 2020]
 // Which pairs may come near each other is found for a whole way at once, before a step along it is limited; energies
 // and tangents on that way look at no others.
+// A surface of an obstacle is one of the surfaces. Its nodes are prescribed: they are in the product with a
+// displacement, which may move them, but in no matrix.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "sim/contact/contact_report.h"
 #include "sim/contact/crossing.h"
+#include "sim/contact/nearness.h"
 #include "sim/contact/stick.h"
 #include "sim/contact/touch.h"
 #include "sim/term/term.h"
@@ -23,9 +27,11 @@ class ContactTerm final : public Term {
     std::string name;  // of the two sides
     Skin skin;
     std::vector<Couple> couples;
-    double friction = 0;             // Coulomb's coefficient
-    double eps = 0;                  // m/s: where friction is fully grown
-    std::vector<std::string> names;  // of the skin's parts
+    double friction = 0;                                       // Coulomb's coefficient
+    double eps = 0;                                            // m/s: where friction is fully grown
+    std::vector<std::string> names;                            // of the skin's parts
+    int first_given = std::numeric_limits<int>::max();         // nodes from it on are an obstacle's
+    double release = std::numeric_limits<double>::infinity();  // s: it is not there after that
   };
   // X: rest positions of the system
   ContactTerm(Input input, const Eigen::VectorXd& X);
@@ -42,8 +48,10 @@ class ContactTerm final : public Term {
   void add_matrix(const Store& store, double s, BlockMatrix& A) const override;
   void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
   void add_pairs(const Store& store, std::vector<NodePair>& pairs) const override;
-  // Every pair of bodies at x: for the eye.
-  std::vector<ContactReport> reports(const Eigen::VectorXd& x) const;
+  // Every pair of bodies at a motion: for the eye. Friction is that of a step that began there.
+  std::vector<ContactReport> reports(const Motion& begin, const Motion& motion) const;
+  // The two that are nearest each other, if any are near.
+  Nearness nearest(const Eigen::VectorXd& x, double t) const;
   // Places where surfaces cross each other at x.
   std::vector<Crossing> crossings(const Eigen::VectorXd& x) const;
   const Input& input() const { return in_; }
@@ -56,7 +64,10 @@ class ContactTerm final : public Term {
   void place(const Eigen::VectorXd& x, Contacts& s) const;
   void cover(Contacts& s) const;
   bool find_touches(const Motion& motion, Contacts& s) const;
+  bool is_gone(double t) const { return t > in_.release; }
   void scatter(const std::array<int, 4>& points, int count, const PairVector& force, Eigen::VectorXd& f) const;
+  Vec3 on_first(const Couple& couple, const std::array<int, 4>& points, int count, const PairVector& force) const;
+  double area_of(const Candidate& candidate, Contacts& s) const;
   Vec3 slip(const Stick& stick, const Eigen::VectorXd& v) const;
 
   Input in_;

@@ -5,7 +5,7 @@
 namespace sim {
 
 Gravity::Gravity(const Vec3& g, const std::vector<Mass>& masses, const Eigen::VectorXd& X, int D)
-    : weight_(X.size()), X_(X), g_(g) {
+    : weight_(Eigen::VectorXd::Zero(X.size())), X_(X), g_(g) {
   for (const Mass& mass : masses)
     for (int i = 0; i < mass.nodal().size(); ++i)
       weight_.segment(static_cast<Eigen::Index>(mass.first_node() + i) * D, D) = mass.nodal()[i] * g.head(D);

@@ -32,6 +32,7 @@ T value_at(Quantity quantity, const Material& material, const Mat<T, D, M>& F, d
       return material.psi(F);
     case Quantity::stretch:
       return absolute(svd(F).s[0]);
+    case Quantity::pressure:  // not of an element
     case Quantity::stress:
       break;
   }

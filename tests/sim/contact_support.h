@@ -34,6 +34,26 @@ inline Mesh quarter_of_half_sphere(double radius, int cells, double grading) {
   return mesh;
 }
 
+// The surface of a mesh as an obstacle, that moves by `translate_by` in the first second.
+inline Obstacle surface_obstacle(const Mesh& mesh, const Vec3& translate_by = {0, 0, 0}) {
+  Obstacle obstacle;
+  const int D = mesh.dimension();
+  obstacle.shape = RigidSurface{mesh.X, D == 2 ? boundary_facets(mesh) : surface_facets(mesh)};
+  if (!translate_by.isZero()) {
+    obstacle.motion = {Keyframe{}, Keyframe{}};
+    obstacle.motion[1].t = 1;
+    obstacle.motion[1].translate = translate_by;
+  }
+  return obstacle;
+}
+
+// A box from `low`.
+inline Mesh box_mesh(const Vec3& size, const Vec3& low, int cells = 1) {
+  Mesh mesh = generate_box({size[0], size[1], size[2]}, {cells, cells, cells}, {1, 1, 1}, ElementKind::tet4);
+  translate(mesh, low);
+  return mesh;
+}
+
 // Two boxes of 1 m, one falls from `height` above the other, which is held at its foot.
 inline Scene two_boxes(int cells, double height, ElementKind kind = ElementKind::tet4) {
   Scene scene;

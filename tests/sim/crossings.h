@@ -12,23 +12,30 @@
 namespace sim::test {
 
 struct SurfaceFacet {
-  int body;
+  int body;      // obstacles that are surfaces count on behind the bodies
   int nodes[3];  // of the system; the third is -1 in the plane
 };
 
 inline std::vector<SurfaceFacet> facets_of(const Scene& scene) {
   std::vector<SurfaceFacet> all;
-  int first = 0;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Mesh& mesh = scene.bodies[b].mesh;
-    const Eigen::MatrixXi own = scene.dimension == 2 ? boundary_facets(mesh) : surface_facets(mesh);
+  int first = 0, number = 0;
+  const auto add = [&](const Eigen::MatrixXi& own, Eigen::Index nodes) {
     for (Eigen::Index f = 0; f < own.cols(); ++f) {
-      SurfaceFacet facet{static_cast<int>(b), {-1, -1, -1}};
+      SurfaceFacet facet{number, {-1, -1, -1}};
       for (int i = 0; i < scene.dimension; ++i) facet.nodes[i] = first + own(i, f);
       all.push_back(facet);
     }
-    first += mesh.node_count();
-  }
+    first += static_cast<int>(nodes);
+    ++number;
+  };
+  for (const Body& body : scene.bodies)
+    add(scene.dimension == 2 ? boundary_facets(body.mesh) : surface_facets(body.mesh), body.mesh.node_count());
+  // Of what moves, a plane has two nodes and a sphere one.
+  for (const Obstacle& obstacle : scene.obstacles)
+    if (const auto* surface = std::get_if<RigidSurface>(&obstacle.shape))
+      add(surface->faces, surface->X.cols());
+    else if (!obstacle.motion.empty())
+      first += std::holds_alternative<Plane>(obstacle.shape) ? 2 : 1;
   return all;
 }
 

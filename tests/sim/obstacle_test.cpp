@@ -1,4 +1,6 @@
 // Obstacles: how much their barriers carry, and that nothing jumps through them.
+#include <gtest/gtest.h>
+
 #include "tests/sim/contact_support.h"
 #include "tests/sim/stepping.h"
 

@@ -5,7 +5,7 @@
 namespace sim::test {
 namespace {
 
-Scene block_on(const std::variant<Plane, Sphere>& obstacle, const Vec3& translate) {
+Scene block_on(const ObstacleShape& obstacle, const Vec3& translate) {
   Scene scene;
   Body body;
   body.name = "block";

@@ -175,6 +175,12 @@ inline void append(std::vector<Key>& table, const std::vector<Key>& more) {
   table.insert(table.end(), more.begin(), more.end());
 }
 
+// The same keys in the table at this path: "young" -> "body[].material.young".
+inline std::vector<Key> below(std::string_view path, std::vector<Key> table) {
+  for (Key& key : table) key.path = std::string(path) + "." + key.path;
+  return table;
+}
+
 // The parts of the table.
 std::vector<Key> time_keys();
 std::vector<Key> solver_keys();
@@ -182,6 +188,7 @@ std::vector<Key> world_keys();
 std::vector<Key> body_keys();
 std::vector<Key> start_keys();
 std::vector<Key> mesh_keys();
+std::vector<Key> obstacle_mesh_keys();
 std::vector<Key> material_keys();
 std::vector<Key> pin_keys();
 std::vector<Key> load_keys();

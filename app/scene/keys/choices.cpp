@@ -41,7 +41,7 @@ std::vector<std::string_view> element_names() {
 }
 
 std::vector<std::string_view> colour_names() {
-  return {"plain", "stress", "stretch", "energy", "J"};
+  return {"plain", "stress", "stretch", "energy", "J", "pressure"};
 }
 
 std::vector<std::string_view> colour_map_choices() {

@@ -1,37 +1,8 @@
 // Keys of the pins of a body.
+#include "app/scene/keys/motion.h"
 #include "app/scene/keys/where.h"
 
 namespace app {
-namespace {
-
-constexpr auto keyframe_of = [](auto& d, const Indices& i) -> auto& {
-  return pin_of(d, i).motion[i[2]];
-};
-
-std::vector<Key> pin_motion_keys() {
-  return {
-      {"body[].pin[].motion", Kind::table, {}, "How the pinned nodes are moved."},
-      {"body[].pin[].motion.keyframes[]", Kind::list, length<pin_of, &sim::Pin::motion>,
-       "Pairs [time, pose] in the order of their times; from one pose to the next the motion is linear."},
-      {"body[].pin[].motion.keyframes[].0", Form(Kind::number, "s", at_least(0)).needed(),
-       field<keyframe_of, &sim::Keyframe::t>, "Time of the pose."},
-      {"body[].pin[].motion.keyframes[].1",
-       Kind::table,
-       {},
-       "The pose: the rest position is rotated, then translated."},
-      {"body[].pin[].motion.keyframes[].1.translate", Form(Kind::point, "m"),
-       field<keyframe_of, &sim::Keyframe::translate>, "Displacement."},
-      {"body[].pin[].motion.keyframes[].1.rotate", Kind::table, {}, "Rotation."},
-      {"body[].pin[].motion.keyframes[].1.rotate.axis", Kind::axis, field<keyframe_of, &sim::Keyframe::axis>,
-       "Axis of rotation."},
-      {"body[].pin[].motion.keyframes[].1.rotate.centre", Form(Kind::point, "m"),
-       field<keyframe_of, &sim::Keyframe::centre>, "Point on the axis."},
-      {"body[].pin[].motion.keyframes[].1.rotate.degrees", Form(Kind::number, "degrees"),
-       field<keyframe_of, &sim::Keyframe::degrees>, "Angle, right-handed about the axis."},
-  };
-}
-
-}  // namespace
 
 std::vector<Key> pin_keys() {
   std::vector<Key> table = {
@@ -47,7 +18,7 @@ std::vector<Key> pin_keys() {
                   field<pin_of, &sim::Pin::release>, "Time at which the nodes are let go."},
                  {"body[].pin[].at_start", Kind::boolean, field<pin_of, &sim::Pin::at_start>,
                   "Hold the nodes where the body starts, instead of where it is at rest."}});
-  append(table, pin_motion_keys());
+  append(table, motion_keys<pin_of, &sim::Pin::motion, 2>("body[].pin[].motion", "How the pinned nodes are moved."));
   return table;
 }
 
