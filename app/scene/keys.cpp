@@ -197,6 +197,9 @@ Document blank_document() {
   for (const Key& key : keys()) {
     if (key.kind == Kind::list) key.binding.set(document, {}, std::int64_t{1});
   }
+  // Meshes that are there: others stand nowhere.
+  for (MeshSpec& mesh : document.meshes) mesh.source = MeshSource::file;
+  for (ObstacleMesh& mesh : document.obstacle_meshes) mesh.spec.source = MeshSource::file;
   return document;
 }
 

@@ -30,7 +30,7 @@ std::string with_count(std::string bytes, std::size_t place, std::uint64_t count
   return bytes;
 }
 
-constexpr std::size_t lengths = 8 + 4 + 8 + 4 * 8 + 5 * 8 + 8;  // where the length of x stands
+constexpr std::size_t lengths = 8 + 4 + 8 + 4 * 8 + 6 * 8 + 8;  // where the length of x stands
 
 TEST(StateFile, GivesBackEveryBit) {
   const SavedRun run = example();

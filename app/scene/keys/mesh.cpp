@@ -67,6 +67,14 @@ constexpr Binding per_axis = {[](const Document& d, const Indices& i) {
                               },
                               field<owner, member>.set};
 
+// Where a mesh stands: an obstacle that is none has no such key.
+template <auto owner, auto member>
+constexpr Binding placed = {[](const Document& d, const Indices& i) {
+                              return owner(d, i).source == MeshSource::none ? std::nullopt
+                                                                            : field<owner, member>.get(d, i);
+                            },
+                            field<owner, member>.set};
+
 // What both may be generated from, or read.
 template <auto owner>
 std::vector<Key> source_keys() {
@@ -98,15 +106,15 @@ std::vector<Key> cell_keys() {
 template <auto owner>
 std::vector<Key> placement_keys() {
   return {
-      {"refine", Form(Kind::integer, "", between(0, 8)), field<owner, &MeshSpec::refine>,
+      {"refine", Form(Kind::integer, "", between(0, 8)), placed<owner, &MeshSpec::refine>,
        "How many times every element is split into 4 (plane) or 8."},
-      {"scale", Form(Kind::number, "", above(0)), field<owner, &MeshSpec::scale>,
+      {"scale", Form(Kind::number, "", above(0)), placed<owner, &MeshSpec::scale>,
        "Factor on every length; applied first."},
       {"rotate", Kind::table, {}, "Rotation about the origin; applied second."},
-      {"rotate.axis", Kind::axis, field<owner, &MeshSpec::axis>, "Axis of rotation."},
-      {"rotate.degrees", Form(Kind::number, "degrees"), field<owner, &MeshSpec::degrees>,
+      {"rotate.axis", Kind::axis, placed<owner, &MeshSpec::axis>, "Axis of rotation."},
+      {"rotate.degrees", Form(Kind::number, "degrees"), placed<owner, &MeshSpec::degrees>,
        "Angle, right-handed about the axis."},
-      {"translate", Form(Kind::point, "m"), field<owner, &MeshSpec::translate>,
+      {"translate", Form(Kind::point, "m"), placed<owner, &MeshSpec::translate>,
        "Displacement of the mesh; applied last."},
   };
 }
