@@ -1,7 +1,8 @@
-// gmsh bear.geo -3 -format msh41 -bin -o bear.msh   (with -setnumber fine 1 -o bear-fine.msh: the fine one)
+// gmsh bear.geo -3 -format msh41 -bin -o bear.msh   (with -setnumber fine 1 -o bear-fine.msh: the fine one; with
+// -setnumber fine -1 -o bear-coarse.msh: one to be had by the dozen)
 // A gummy bear, 1 m tall, standing on the plane y = 0 and looking along +z: a union of ellipsoids with flat soles.
 SetFactory("OpenCASCADE");
-DefineConstant[ fine = {0, Choices{0, 1}, Name "Fine mesh"} ];
+DefineConstant[ fine = {0, Choices{-1, 0, 1}, Name "Fine mesh"} ];
 
 // An ellipsoid: a ball of radius 1 at the origin, scaled to the semi-axes a, b, c, turned about z, moved to x, y, z.
 Macro Blob
@@ -40,7 +41,7 @@ Physical Surface("right_arm") = Surface In BoundingBox {-1, 0.2, -1, 0.1, 0.7, 1
 Physical Surface("head") = Surface In BoundingBox {-0.46, 0.36, -1, 0.42, 2, 1};
 
 // Sizes that leave no bad tets in the creases: the smallest dihedral angle is 10.1 degrees (fine: 11.8).
-Mesh.MeshSizeMax = fine ? 0.0297 : 0.0479;
-Mesh.MeshSizeMin = fine ? 0.02 : 0.03;
-Mesh.Smoothing = fine ? 4 : 1;
+Mesh.MeshSizeMax = fine > 0 ? 0.0297 : (fine < 0 ? 0.11 : 0.0479);
+Mesh.MeshSizeMin = fine > 0 ? 0.02 : (fine < 0 ? 0.07 : 0.03);
+Mesh.Smoothing = fine > 0 ? 4 : 1;
 Mesh.OptimizeThreshold = 0.7;
