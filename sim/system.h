@@ -1,6 +1,7 @@
 // The discrete system M v' = -grad U(x): built once from a scene, then const.
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,6 +31,8 @@ class System {
   int steps_per_frame() const;
   double time(std::int64_t step) const;  // step / (fps * substeps), exact at frames
   std::span<const BodyRange> bodies() const;
+  // The numbers of the nodes of bodies, in front of those of obstacles: of positions or velocities.
+  Eigen::Ref<const Eigen::VectorXd> of_bodies(const Eigen::VectorXd& all) const;
   std::vector<TermInfo> terms() const;
   // Where an obstacle of the scene is, none after its release.
   std::optional<ObstacleShape> obstacle(const State& state, std::size_t k) const;

@@ -8,7 +8,6 @@
 #include "app/exhibit/draw.h"
 #include "app/exhibit/exhibit.h"
 #include "app/exhibit/print.h"
-#include "sim/math/chosen.h"
 #include "sim/mesh/input_error.h"
 #include "sim/residual/low_dimensional.h"
 
@@ -41,7 +40,7 @@ struct Way {
 constexpr Way ways[] = {
     {"rows", "a", "a  rows", "rows of A U", Ink::red,
      [](const LargeSystem& l) { return rs::solve_rows(l.chain, l.U, l.rows); },
-     [](const LargeSystem& l) { return sim::chosen_rows(l.AU(), l.rows); }},
+     [](const LargeSystem& l) -> Eigen::MatrixXd { return l.AU()(l.rows, Eigen::indexing::all); }},
     {"least-squares", "b", "b  squares", "(A U)ᵀ A U", Ink::purple,
      [](const LargeSystem& l) { return rs::solve_least_squares(l.chain, l.U); },
      [](const LargeSystem& l) -> Eigen::MatrixXd { return l.AU().transpose() * l.AU(); }},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/base/text.h"
 #include "app/mesh/error.h"
 
 namespace app {
@@ -108,6 +109,15 @@ std::string_view Cursor::word(std::string_view what) {
 void Cursor::expect(std::string_view text) {
   const std::string_view found = word(text);
   if (found != text) fail(quote(found) + " stands where " + std::string(text) + " should be");
+}
+
+std::string Cursor::keyword(std::string_view what) {
+  return in_capitals(word(what));
+}
+
+void Cursor::expect_keyword(std::string_view text) {
+  const std::string found = keyword(text);
+  if (found != in_capitals(text)) fail(quote(found) + " stands where " + std::string(text) + " should be");
 }
 
 std::string_view Cursor::quoted(std::string_view what) {

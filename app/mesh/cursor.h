@@ -30,6 +30,9 @@ class Cursor {
   std::string_view word(std::string_view what);
   // The next word must be exactly this one.
   void expect(std::string_view text);
+  // The same for formats that write words in capitals or not; the word that was read is given back in capitals.
+  std::string keyword(std::string_view what);
+  void expect_keyword(std::string_view text);
   // A text in double quotes that ends on its own line.
   std::string_view quoted(std::string_view what);
   // A whole number (of 64 bits): any, or from low to high.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "app/base/text.h"
 #include "app/mesh/binary.h"
 #include "app/mesh/face_set.h"
 
@@ -42,36 +41,26 @@ void add_triangle(const Cursor& in, const std::array<Eigen::Vector3d, 3>& X, Stl
   }
 }
 
-// Keywords are written in capitals too.
-std::string keyword(Cursor& in, std::string_view what) {
-  return in_capitals(in.word(what));
-}
-
-void expect_keyword(Cursor& in, std::string_view right) {
-  const std::string word = keyword(in, right);
-  if (word != in_capitals(right)) in.fail(quote(word) + " stands where " + std::string(right) + " should be");
-}
-
 // solid NAME, facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet, ..., endsolid NAME.
 int read_text_stl(Cursor& in, FaceSet& faces) {
   StlCorners corners(faces);
   int collapsed = 0;
   while (!in.finished()) {
-    const std::string word = keyword(in, "solid, facet or endsolid");
+    const std::string word = in.keyword("solid, facet or endsolid");
     if (word == "SOLID") faces.put_in({std::string(in.rest_of_line())});
     if (word == "ENDSOLID") in.rest_of_line();
     if (word == "SOLID" || word == "ENDSOLID") continue;
     if (word != "FACET") in.fail(quote(word) + " stands where solid, facet or endsolid should be");
     in.rest_of_line();
-    expect_keyword(in, "outer");
-    expect_keyword(in, "loop");
+    in.expect_keyword("outer");
+    in.expect_keyword("loop");
     std::array<Eigen::Vector3d, 3> X;
     for (Eigen::Vector3d& corner : X) {
-      expect_keyword(in, "vertex");
+      in.expect_keyword("vertex");
       for (double& x : corner) x = in.real("a coordinate");
     }
-    expect_keyword(in, "endloop");
-    expect_keyword(in, "endfacet");
+    in.expect_keyword("endloop");
+    in.expect_keyword("endfacet");
     add_triangle(in, X, corners, faces, collapsed);
   }
   return collapsed;

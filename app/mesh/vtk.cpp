@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
-#include "app/base/text.h"
 #include "app/mesh/face_set.h"
 #include "app/mesh/vtk_grid.h"
 #include "app/mesh/vtk_numbers.h"
@@ -32,15 +32,15 @@ class VtkReader {
  private:
   // "# vtk DataFile Version 3.0", a title, ASCII or BINARY, DATASET and its kind.
   void read_head() {
-    for (const char* word : {"#", "VTK", "DATAFILE", "VERSION"}) expect(word);
+    for (const char* word : {"#", "VTK", "DATAFILE", "VERSION"}) in_.expect_keyword(word);
     version_ = in_.real("the version");
     in_.rest_of_line();
     in_.rest_of_line();
-    const std::string coding = keyword("ASCII or BINARY");
+    const std::string coding = in_.keyword("ASCII or BINARY");
     if (coding != "ASCII" && coding != "BINARY") in_.fail(quote(coding) + " stands where ASCII or BINARY should be");
     binary_ = coding == "BINARY";
-    expect("DATASET");
-    const std::string dataset = keyword("the kind of data");
+    in_.expect_keyword("DATASET");
+    const std::string dataset = in_.keyword("the kind of data");
     polygons_ = dataset == "POLYDATA";
     if (dataset != "UNSTRUCTURED_GRID" && !polygons_) {
       in_.fail("the data are " + quote(dataset) + "; they should be UNSTRUCTURED_GRID or POLYDATA");
@@ -48,16 +48,8 @@ class VtkReader {
     if (binary_) in_.use_offsets();
   }
 
-  // In capitals or not.
-  std::string keyword(std::string_view what) { return in_capitals(in_.word(what)); }
-
-  void expect(std::string_view right) {
-    const std::string word = keyword(right);
-    if (word != right) in_.fail(quote(word) + " stands where " + std::string(right) + " should be");
-  }
-
   void read_part() {
-    const std::string word = keyword("a keyword");
+    const std::string word = in_.keyword("a keyword");
     if (word == "POINTS") {
       const std::int64_t count = in_.whole("the number of points");
       const VtkType& type = vtk_type(in_, in_.word("the type of coordinates"));
@@ -65,9 +57,9 @@ class VtkReader {
     } else if (word == (polygons_ ? "POLYGONS" : "CELLS")) {
       read_cells();
     } else if (polygons_ && (word == "VERTICES" || word == "LINES")) {
-      const VtkGrid before = grid_;
+      VtkGrid rest = std::exchange(grid_, {});
       read_cells();
-      grid_ = before;
+      grid_ = std::move(rest);
     } else if (word == "TRIANGLE_STRIPS") {
       in_.fail("strips of triangles are not read; vtkTriangleFilter makes triangles of them");
     } else if (word == "CELL_TYPES") {
@@ -102,10 +94,10 @@ class VtkReader {
   void read_cells() {
     const std::int64_t count = in_.whole("the number of cells"), total = in_.whole("the number of numbers");
     if (version_ < 5) return split(numbers<std::int64_t>(vtk_type(in_, "int"), total), count);
-    expect("OFFSETS");
+    in_.expect_keyword("OFFSETS");
     const std::vector<std::int64_t> starts =
         numbers<std::int64_t>(vtk_type(in_, in_.word("the type of offsets")), count);
-    expect("CONNECTIVITY");
+    in_.expect_keyword("CONNECTIVITY");
     grid_.nodes = numbers<std::int64_t>(vtk_type(in_, in_.word("the type of the nodes")), total);
     if (starts.empty() || starts[0] != 0) in_.fail("the first offset should be 0");
     grid_.ends.assign(starts.begin() + 1, starts.end());
@@ -143,7 +135,7 @@ class VtkReader {
     const VtkType& type = vtk_type(in_, in_.word("the type of values"));
     if (scalars) {
       if (!in_.line_finished()) components = in_.integer("the number of components", 1, 4);
-      expect("LOOKUP_TABLE");
+      in_.expect_keyword("LOOKUP_TABLE");
       in_.word("the name of a table");
     }
     keep(name, type, components, tuples_);

@@ -128,8 +128,7 @@ Vec3 CameraPath::middle_of_followed(const Eigen::VectorXd& x) const {
 render::Camera CameraPath::at(const sim::State& state) const {
   Eigen::AlignedBox3d box = first_;
   if (followed_ == nullptr) {
-    const Eigen::Index own = Eigen::Index{system_.dimension()} * system_.counts().nodes;  // of bodies
-    const Eigen::AlignedBox3d now = box_of(state.x.head(own), system_.dimension());
+    const Eigen::AlignedBox3d now = box_of(system_.of_bodies(state.x), system_.dimension());
     const Vec3 middle = first_.center();
     box.extend(Vec3(middle + (now.min() - middle) / swing));
     box.extend(Vec3(middle + (now.max() - middle) / swing));

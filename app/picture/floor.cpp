@@ -70,7 +70,8 @@ double lowest_of(const Eigen::Ref<const Eigen::VectorXd>& x, const Vec3& up) {
 double expected_lowest(const sim::System& system, const sim::Scene& scene, const Vec3& up) {
   std::vector<char> is_pinned(system.counts().nodes, 0);
   for (const int node : system.pinned_nodes(0)) is_pinned[node] = 1;
-  double lowest = lowest_of(system.initial_state().x.head(Eigen::Index{3} * system.counts().nodes), up);
+  const sim::State start = system.initial_state();
+  double lowest = lowest_of(system.of_bodies(start.x), up);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const sim::BodyRange& body = system.bodies()[b];
     const double sag = expected_sag(body, scene.bodies[b], is_pinned, scene.world.gravity);
@@ -98,8 +99,7 @@ Floor::Floor(const sim::System& system, const Document& document, const Stand& s
 
 std::optional<render::Ground> Floor::at(const sim::State& state) const {
   if (!drawn_) return std::nullopt;
-  const Eigen::Index own = Eigen::Index{3} * system_.counts().nodes;  // of bodies
-  const double lowest = given_ ? infinite : lowest_of(state.x.head(own), stand_.up) - gap_;
+  const double lowest = given_ ? infinite : lowest_of(system_.of_bodies(state.x), stand_.up) - gap_;
   const double height = std::min(height_, lowest) - stand_.up.dot(stand_.origin);
   return render::Ground{to_point(height * stand_.up), to_point(stand_.up)};
 }

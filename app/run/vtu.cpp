@@ -94,17 +94,12 @@ Eigen::VectorXd rest_positions(const sim::System& system) {
   return rest;
 }
 
-// Numbers of the nodes of bodies: those of obstacles stand behind them.
-Eigen::VectorXd of_bodies(const sim::System& system, const Eigen::VectorXd& all) {
-  return all.head(Eigen::Index{system.dimension()} * system.counts().nodes);
-}
-
 std::string point_data(const sim::System& system, const sim::State& state) {
-  const Eigen::VectorXd displacement = of_bodies(system, state.x) - rest_positions(system);
+  const Eigen::VectorXd displacement = system.of_bodies(state.x) - rest_positions(system);
   const Eigen::VectorXd stress = system.node_values(state, sim::Quantity::stress);
   std::string text = "      <PointData Scalars=\"stress\" Vectors=\"displacement\">\n";
   text += data_array("displacement", 3, in_space(displacement, system.dimension()));
-  text += data_array("velocity", 3, in_space(of_bodies(system, state.v), system.dimension()));
+  text += data_array("velocity", 3, in_space(system.of_bodies(state.v), system.dimension()));
   text += data_array("stress", 1, std::vector<double>(stress.begin(), stress.end()));
   return text + "      </PointData>\n";
 }
@@ -121,7 +116,7 @@ std::string vtu_text(const sim::System& system, const sim::State& state) {
       std::to_string(system.counts().nodes) + "\" NumberOfCells=\"" + std::to_string(cells.types.size()) + "\">\n";
   text += point_data(system, state);
   text += "      <CellData>\n" + data_array("body", 1, cells.bodies) + "      </CellData>\n";
-  text += "      <Points>\n" + data_array("points", 3, in_space(of_bodies(system, state.x), system.dimension())) +
+  text += "      <Points>\n" + data_array("points", 3, in_space(system.of_bodies(state.x), system.dimension())) +
           "      </Points>\n";
   text += "      <Cells>\n" + data_array("connectivity", 1, cells.nodes) + data_array("offsets", 1, cells.ends) +
           data_array("types", 1, cells.types) + "      </Cells>\n";

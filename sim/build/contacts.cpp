@@ -1,7 +1,6 @@
 #include "sim/build/contacts.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "sim/build/contact_start.h"
@@ -57,9 +56,8 @@ Couple couple_of(const Model& model, const Contact& contact, int a, int b) {
 
 // The surface of a body, as a part of the skin.
 void add_body_part(ContactTerm::Input& input, const Model& model, int body) {
-  const Body& it = model.bodies[body];
   input.names.push_back(model.ranges[body].name);
-  add_part(input.skin, flat_faces(it.mesh, model.D), it.mesh.X, model.ranges[body].first_node, it.thickness);
+  add_part(input.skin, model.bodies[body], model.ranges[body].first_node);
 }
 
 ContactTerm::Input input_of(const Model& model, const Contact& contact, const std::string& key,
@@ -112,9 +110,7 @@ double thickest(const Model& model) {
 
 // Friction is fully grown at a thousandth of the smallest body a second.
 void add_term(Model& model, ContactTerm::Input input, const std::string& key) {
-  double size = std::numeric_limits<double>::infinity();
-  for (const BodyRange& range : model.ranges) size = std::min(size, range.size);
-  input.eps = thousandth * size;
+  input.eps = thousandth * model.smallest_size();
   auto term = std::make_unique<ContactTerm>(std::move(input), model.X);
   Eigen::VectorXd start = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
   model.pins.prescribe(0, start, v);

@@ -1,7 +1,6 @@
 #include "sim/build/held.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 
 #include "sim/mesh/components.h"
 #include "sim/mesh/locate.h"
@@ -94,8 +93,7 @@ std::string listed(const Eigen::MatrixXd& combinations, int D) {
 }  // namespace
 
 std::string moved_as_a_whole(const Model& model, const std::vector<Spring>& springs) {
-  const auto barrier = [](const auto& term) { return term->limits_moves(); };
-  if (std::any_of(model.terms.begin(), model.terms.end(), barrier)) return {};
+  if (model.limits_moves()) return {};
   constexpr double rounding = 1e-9;
   const int D = model.D;
   const Eigen::VectorXd held = held_components(model, springs), f = load_at_start(model);

@@ -1,7 +1,5 @@
 #include "sim/build/obstacles.h"
 
-#include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "sim/body/pose.h"
@@ -16,12 +14,6 @@ namespace sim {
 namespace {
 
 constexpr double of_body = 1e-3;  // where barriers begin; and friction is fully grown at as much a second
-
-double smallest_size(const Model& model) {
-  double size = std::numeric_limits<double>::infinity();
-  for (const BodyRange& range : model.ranges) size = std::min(size, range.size);
-  return size;
-}
 
 auto own_numbers(const Model& model, const ObstacleNodes& nodes, Eigen::VectorXd& x) {
   return x.segment(static_cast<Eigen::Index>(nodes.first) * model.D, static_cast<Eigen::Index>(nodes.count) * model.D);
@@ -38,7 +30,7 @@ std::vector<ObstacleTerm::Contact> surface_nodes(const Model& model, bool obstac
     const Body& body = model.bodies[b];
     Skin skin;
     skin.D = model.D;
-    add_part(skin, flat_faces(body.mesh, model.D), body.mesh.X, model.ranges[b].first_node, body.thickness);
+    add_part(skin, body, model.ranges[b].first_node);
     for (std::size_t p = 0; p < skin.node.size(); ++p)
       if (obstacle_moves || !still[skin.node[p]])
         contacts.push_back({skin.node[p], tenth * body.materials[0].young * skin.point_area[p]});
@@ -49,7 +41,7 @@ std::vector<ObstacleTerm::Contact> surface_nodes(const Model& model, bool obstac
 void add_smooth(Parts& parts, std::size_t k) {
   Model& model = parts.model;
   const Obstacle& obstacle = model.obstacles[k];
-  const double reach = of_body * smallest_size(model);
+  const double reach = of_body * model.smallest_size();
   auto term = std::make_unique<ObstacleTerm>(obstacle, model.obstacle_nodes[k],
                                              surface_nodes(model, !obstacle.motion.empty()), reach, reach, model.D);
   model.smooth.push_back(term.get());
@@ -85,7 +77,7 @@ void place_obstacle_nodes(Model& model) {
     const ObstacleNodes& nodes = model.obstacle_nodes[k];
     if (nodes.count == 0) continue;
     own_numbers(model, nodes, model.X) = rest_nodes(model.obstacles[k], model.D).reshaped();
-    model.node_size.segment(nodes.first, nodes.count).setConstant(smallest_size(model));
+    model.node_size.segment(nodes.first, nodes.count).setConstant(model.smallest_size());
   }
 }
 

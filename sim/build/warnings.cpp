@@ -6,7 +6,6 @@
 
 #include "sim/build/bending.h"
 #include "sim/element/element.h"
-#include "sim/math/chosen.h"
 
 namespace sim {
 
@@ -18,7 +17,7 @@ using Remarks = std::vector<std::string>;
 Eigen::VectorXd element_extents(const Mesh& mesh) {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(mesh.X.rows());
   for (const auto& nodes : mesh.elements.colwise()) {
-    const Eigen::MatrixXd X = chosen_columns(mesh.X, nodes);
+    const Eigen::MatrixXd X = mesh.X(Eigen::indexing::all, nodes);
     mean += (X.rowwise().maxCoeff() - X.rowwise().minCoeff()) / mesh.element_count();
   }
   return mean;
@@ -111,11 +110,9 @@ void warn_of_falling_energy(const Body& body, Remarks& remarks) {
 
 // What a first stage did to a body that hits something goes on in the second one, which may have lifted off by then.
 void warn_of_impacts(const Parts& parts, Remarks& remarks) {
-  const auto barrier = [](const auto& term) { return term->limits_moves(); };
   const auto goes_on = [](const Stage& stage) { return stage.d[first_stage] != 0; };
   const auto stages = parts.scheme->stages;
-  if (std::any_of(stages.begin(), stages.end(), goes_on) &&
-      std::any_of(parts.model.terms.begin(), parts.model.terms.end(), barrier))
+  if (std::any_of(stages.begin(), stages.end(), goes_on) && parts.model.limits_moves())
     remarks.push_back("energy: with " + std::string(parts.scheme->name) +
                       " bodies may leave what they hit with more energy than they came with; with bdf2, tr-bdf2, "
                       "trapezoidal and backward-euler they do not");

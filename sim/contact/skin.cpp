@@ -126,4 +126,8 @@ void add_part(Skin& skin, const Eigen::MatrixXi& faces, const Eigen::MatrixXd& X
   skin.parts.push_back(part);
 }
 
+void add_part(Skin& skin, const Body& body, int first_node) {
+  add_part(skin, flat_faces(body.mesh, skin.D), body.mesh.X, first_node, body.thickness);
+}
+
 }  // namespace sim

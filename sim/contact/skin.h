@@ -8,6 +8,7 @@
 
 #include "sim/math/vec3.h"
 #include "sim/mesh/mesh.h"
+#include "sim/scene.h"
 
 namespace sim {
 
@@ -49,5 +50,7 @@ Eigen::MatrixXi flat_faces(const Mesh& mesh, int D);
 // Adds a part; faces: nodes of the mesh, X: rest positions (D x nodes). first_node: number in the system of the mesh's
 // first node; thickness [m] in the plane.
 void add_part(Skin& skin, const Eigen::MatrixXi& faces, const Eigen::MatrixXd& X, int first_node, double thickness);
+// The surface of a body.
+void add_part(Skin& skin, const Body& body, int first_node);
 
 }  // namespace sim

@@ -11,7 +11,6 @@
 #include "sim/fill/lattice.h"
 #include "sim/fill/split.h"
 #include "sim/fill/winding.h"
-#include "sim/math/chosen.h"
 #include "sim/mesh/check.h"
 #include "sim/mesh/components.h"
 #include "sim/mesh/dihedral.h"
@@ -177,7 +176,7 @@ int drop_crumbs(Mesh& mesh) {
   }
   if (dropped == 0) return 0;
   std::sort(kept.begin(), kept.end());
-  mesh.elements = chosen_columns(mesh.elements, kept);
+  mesh.elements = Eigen::MatrixXi(mesh.elements(Eigen::indexing::all, kept));
   check_and_orient(mesh);  // drops the nodes of the crumbs
   return dropped;
 }

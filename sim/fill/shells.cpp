@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/fill/winding.h"
-#include "sim/math/chosen.h"
 
 namespace sim {
 namespace {
@@ -93,7 +92,7 @@ int turn_minority(const Eigen::Matrix3Xd& X, const Shell& shell, Eigen::Matrix3X
 }
 
 Eigen::Matrix3Xi part(const Eigen::Matrix3Xi& triangles, const Shell& shell) {
-  return chosen_columns(triangles, shell.triangles);
+  return triangles(Eigen::indexing::all, shell.triangles);
 }
 
 // V = sum over triangles of det(a, b, c)/6, from a vertex of the shell.

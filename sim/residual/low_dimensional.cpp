@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/math/chosen.h"
-
 namespace sim::residual {
 
 // The last s_i <= j/(n + 1)
@@ -32,7 +30,7 @@ std::vector<int> pivoted_rows(const Eigen::MatrixXd& AU) {
 
 Eigen::VectorXd solve_rows(const Chain& chain, const Eigen::MatrixXd& U, const std::vector<int>& rows) {
   const Eigen::MatrixXd AU = matrix(chain) * U;
-  return chosen_rows(AU, rows).partialPivLu().solve(chain.b(rows));
+  return AU(rows, Eigen::indexing::all).partialPivLu().solve(chain.b(rows));
 }
 
 Eigen::VectorXd solve_least_squares(const Chain& chain, const Eigen::MatrixXd& U) {

@@ -1,6 +1,8 @@
 // What solvers and steppers share of a built scene: its unknowns, masses and terms of the energy.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -48,6 +50,15 @@ struct Model {
   double bound = 0;         // m: a position beyond it has no meaning left, 1e12 sizes of the scene
 
   Eigen::Index dofs() const { return static_cast<Eigen::Index>(node_count) * D; }
+  // Some term is a barrier.
+  bool limits_moves() const {
+    return std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term->limits_moves(); });
+  }
+  double smallest_size() const {  // of the bodies, m
+    double size = std::numeric_limits<double>::infinity();
+    for (const BodyRange& range : ranges) size = std::min(size, range.size);
+    return size;
+  }
   // Steps are counted in integers, so that frame k is at k/fps exactly.
   double t(std::int64_t step) const {
     return static_cast<double>(step) * time.unit / (static_cast<double>(time.fps) * time.substeps);

@@ -74,7 +74,7 @@ double TangentOperator::energy(const Motion& motion) {
 }
 
 bool TangentOperator::limits_moves() const {
-  return std::any_of(model_.terms.begin(), model_.terms.end(), [](const auto& term) { return term->limits_moves(); });
+  return model_.limits_moves();
 }
 
 double TangentOperator::largest_step(const Motion& motion, const Eigen::VectorXd& dx) {

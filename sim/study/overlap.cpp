@@ -8,12 +8,12 @@ namespace sim {
 
 namespace {
 
-Skin skin_of_all(const Model& model) {
+// Nothing where no two bodies are to be looked at.
+Skin skin_of_all(const Model& model, bool wanted) {
   Skin skin;
+  if (!wanted) return skin;
   skin.D = model.D;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    add_part(skin, flat_faces(model.bodies[b].mesh, model.D), model.bodies[b].mesh.X, model.ranges[b].first_node,
-             model.bodies[b].thickness);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) add_part(skin, model.bodies[b], model.ranges[b].first_node);
   return skin;
 }
 
@@ -33,18 +33,25 @@ std::set<std::pair<std::string, std::string>> named_pairs(const Model& model) {
   return named;
 }
 
+std::vector<Couple> unnamed_couples(const Model& model) {
+  const auto named = named_pairs(model);
+  std::vector<Couple> couples;
+  const int bodies = static_cast<int>(model.ranges.size());
+  for (int a = 0; a < bodies; ++a)
+    for (int b = a + 1; b < bodies; ++b)
+      if (!named.contains({model.ranges[a].name, model.ranges[b].name}) &&
+          !named.contains({model.ranges[b].name, model.ranges[a].name}))
+        couples.push_back({a, b, 0, 0});
+  return couples;
+}
+
 }  // namespace
 
 Overlap::Overlap(const System& system)
-    : skin_(skin_of_all(parts_of(system).model)), broad_phase_(skin_, points_at(skin_, parts_of(system).model.X)) {
-  const Model& model = parts_of(system).model;
-  const auto named = named_pairs(model);
-  for (const BodyRange& range : model.ranges) names_.push_back(range.name);
-  const int bodies = static_cast<int>(names_.size());
-  for (int a = 0; a < bodies; ++a)
-    for (int b = a + 1; b < bodies; ++b)
-      if (!named.contains({names_[a], names_[b]}) && !named.contains({names_[b], names_[a]}))
-        couples_.push_back({a, b, 0, 0});
+    : couples_(unnamed_couples(parts_of(system).model)),
+      skin_(skin_of_all(parts_of(system).model, !couples_.empty())),
+      broad_phase_(skin_, points_at(skin_, parts_of(system).model.X)) {
+  for (const BodyRange& range : system.bodies()) names_.push_back(range.name);
 }
 
 std::optional<std::pair<std::string, std::string>> Overlap::find(const State& state) const {

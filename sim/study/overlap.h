@@ -20,8 +20,8 @@ class Overlap {
   std::optional<std::pair<std::string, std::string>> find(const State& state) const;
 
  private:
-  Skin skin_;
   std::vector<Couple> couples_;
+  Skin skin_;                       // empty without couples
   std::vector<std::string> names_;  // of the skin's parts
   BroadPhase broad_phase_;
 };

@@ -63,9 +63,9 @@ Mesh shaken(Mesh mesh, double by) {
 Mesh cut_off_below(const Mesh& mesh, double z) {
   std::vector<int> kept;
   for (int t = 0; t < mesh.element_count(); ++t)
-    if (chosen_columns(mesh.X, mesh.elements.col(t)).row(2).maxCoeff() > z) kept.push_back(t);
+    if (mesh.X(2, mesh.elements.col(t)).maxCoeff() > z) kept.push_back(t);
   Mesh cut = mesh;
-  cut.elements = chosen_columns(mesh.elements, kept);
+  cut.elements = mesh.elements(Eigen::indexing::all, kept);
   return cut;
 }
 
@@ -79,9 +79,9 @@ Mesh with_cracks() {
   const Mesh block = block_surface({2, 1, 1});
   std::vector<int> kept;
   for (int t = 0; t < block.element_count(); ++t)
-    if (chosen_columns(block.X, block.elements.col(t)).row(2).minCoeff() < 1) kept.push_back(t);
+    if (block.X(2, block.elements.col(t)).minCoeff() < 1) kept.push_back(t);
   Mesh open = block;
-  open.elements = chosen_columns(block.elements, kept);
+  open.elements = block.elements(Eigen::indexing::all, kept);
   Eigen::Matrix3Xd lid(3, 4);
   lid << 0, 2, 2, 0, 0, 0, 1, 1, 1, 1, 1, 1;
   Eigen::Matrix3Xi two(3, 2);

@@ -22,6 +22,13 @@ double highest(const State& state, const BodyRange& body, int D) {
   return y;
 }
 
+void steps_without_crossing(const Scene& scene, test::Stepped& run, int count) {
+  for (int k = 0; k < count; ++k) {
+    run.steps(1);
+    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << run.state.step;
+  }
+}
+
 // One box of 1 m, and nothing under it yet.
 Scene one_box(int cells = 2) {
   Scene scene;
@@ -34,10 +41,7 @@ TEST(SurfaceObstacle, CarriesTheWeightOfABody) {
   scene.obstacles = {test::surface_obstacle(test::box_mesh({4, 1, 4}, {-1.3, -1, -1.4}))};
   scene.bodies[0].damping.alpha = 5;
   test::Stepped run(scene);
-  for (int k = 0; k < 120; ++k) {
-    run.steps(1);
-    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << k;
-  }
+  steps_without_crossing(scene, run, 120);
   const ContactReport report = run.system.contacts(run.state).at(0);
   EXPECT_NEAR(report.force.y(), 9810, 100);
   EXPECT_GT(report.gap, 0);
@@ -57,10 +61,7 @@ TEST(SurfaceObstacle, HoldsFromBothSides) {
     obstacle.shape = sheet;
     scene.obstacles = {obstacle};
     test::Stepped run(scene);
-    for (int k = 0; k < 60; ++k) {
-      run.steps(1);
-      ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << k;
-    }
+    steps_without_crossing(scene, run, 60);
     EXPECT_EQ(run.system.contacts(run.state).at(0).pairs > 0, true);
   }
 }
@@ -82,10 +83,7 @@ TEST(SurfaceObstacle, OfLinesInThePlane) {
   obstacle.shape = valley;
   scene.obstacles = {obstacle};
   test::Stepped run(scene);
-  for (int k = 0; k < 150; ++k) {
-    run.steps(1);
-    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << k;
-  }
+  steps_without_crossing(scene, run, 150);
   EXPECT_GT(lowest(run.state, run.system.bodies()[0], 2), -0.2);
   EXPECT_NEAR(run.system.contacts(run.state).at(0).force.y(), 9810, 1000);
 }
@@ -98,10 +96,7 @@ TEST(MovingObstacle, PressesABoxToAThirdAndLetsGo) {
                      test::surface_obstacle(test::box_mesh({4, 1, 4}, {-1.4, 1.05, -1.3}), {0, -0.75, 0})};
   scene.obstacles[1].release = 1.1;
   test::Stepped run(scene);
-  for (int k = 0; k < 60; ++k) {
-    run.steps(1);
-    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << k;
-  }
+  steps_without_crossing(scene, run, 60);
   EXPECT_LT(highest(run.state, run.system.bodies()[0], 3), 0.3);
   EXPECT_GT(lowest(run.state, run.system.bodies()[0], 3), 0);
   run.steps(30);

@@ -85,17 +85,13 @@ TEST(Stability, ACapOfIterationsNeverFeedsEnergy) {
         scene.seed = seed;
         scene.solver.max_iterations = cap;
         Stepped run(scene);
-        const auto energy = [&] {
-          const Measures now = run.system.measure(run.state);
-          return now.kinetic + now.elastic;
-        };
-        const double start = energy();
+        const double start = run.energy();
         double before = start;
         while (run.state.step < 8) {
           const StepReport report = run.stepper->step(run.state);
           ASSERT_EQ(report.failure, "") << name << " " << cap << ", seed " << seed;
           capped += !report.converged;
-          const double now = energy();
+          const double now = run.energy();
           ASSERT_LE(now, before * (1 + 1e-9)) << name << " " << cap << ", seed " << seed << ", step " << report.step;
           before = now;
         }
@@ -120,16 +116,12 @@ TEST(Stability, ACapOfIterationsBlowsUpNoScheme) {
         scene.solver.max_iterations = cap;
         scene.bodies[0].damping = {};
         Stepped run(scene);
-        const auto energy = [&] {
-          const Measures now = run.system.measure(run.state);
-          return now.kinetic + now.elastic;
-        };
-        const double start = energy();
+        const double start = run.energy();
         double before = start;
         while (run.state.step < 60) {
           const StepReport report = run.stepper->step(run.state);
           ASSERT_EQ(report.failure, "") << scheme << " " << cap << ", seed " << seed;
-          const double now = energy();
+          const double now = run.energy();
           if (!report.converged) {
             ASSERT_LE(now, before * (1 + 1e-9)) << scheme << " " << cap << ", seed " << seed << " " << report.step;
           }

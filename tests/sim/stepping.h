@@ -74,6 +74,10 @@ struct Stepped {
       ASSERT_TRUE(last.converged) << "step " << last.step << ", increment " << last.increment;
     }
   }
+  double energy() const {  // kinetic and elastic, J
+    const Measures now = system.measure(state);
+    return now.kinetic + now.elastic;
+  }
   Vec3 tip() const { return system.probe_displacement(state, 0); }
 };
 

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/math/chosen.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/check.h"
 #include "sim/mesh/generate.h"
@@ -57,7 +56,7 @@ inline Mesh without_triangles(Mesh mesh, int from, int count) {
   std::vector<int> kept;
   for (int t = 0; t < mesh.element_count(); ++t)
     if (t < from || t >= from + count) kept.push_back(t);
-  mesh.elements = chosen_columns(mesh.elements, kept);
+  mesh.elements = Eigen::MatrixXi(mesh.elements(Eigen::indexing::all, kept));
   return mesh;
 }
 
