@@ -23,6 +23,7 @@ struct StepReport {
   double min_J = 1;         // smallest det F over the quadrature points after the step
   int min_J_element = -1;   // where, counted over all bodies
   int inverted = 0;         // elements with J <= 0 at a quadrature point after the step
+  bool braked = false;      // it would have made energy of nothing: by backward Euler, or with less speed
   bool no_factor = false;   // there was no memory for the factor: solved without a matrix
   std::string_view reason;  // why it did not converge
   std::string failure;      // empty, or why the step could not be taken (the state is then unchanged)

@@ -28,6 +28,9 @@ struct State {
   Eigen::VectorXd x, v;                // positions [m] and velocities [m/s], D numbers per node, node by node
   Eigen::VectorXd x_before, v_before;  // of the step before; empty until there is one
   Eigen::VectorXd force;               // N, that the last stage balanced, without barriers; empty: to be evaluated
+  // J, where bodies may hit something: the most that they had, kinetic and potential, since something last drove them,
+  // and their largest kinetic energy since then. The latter negative: neither is known.
+  double energy_most = 0, kinetic_most = -1;
   KeptFactor kept;
 };
 
@@ -40,6 +43,8 @@ void for_each_field(S& state, const F& f) {
   f(state.x_before);
   f(state.v_before);
   f(state.force);
+  f(state.energy_most);
+  f(state.kinetic_most);
   auto& k = state.kept;
   f(k.what);
   f(k.excess);

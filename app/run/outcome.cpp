@@ -40,6 +40,9 @@ void print_trouble(const Outcome& outcome) {
   }
   if (totals.splits > 0)
     std::cerr << "note: steps, or parts of them, were taken again in halves " << totals.splits << " times\n";
+  if (outcome.braked > 0)
+    std::cerr << "note: " << outcome.braked
+              << " steps would have given energy to bodies that nothing drives: taken so that they do not\n";
   if (!outcome.overlap.empty())
     std::cerr << "note: " << outcome.overlap << ": no [[contact]] names them, which would keep them apart\n";
   if (outcome.inverted > 0) std::cerr << "note: " << outcome.inverted << " elements are inside out at the end\n";
@@ -50,6 +53,7 @@ void print_trouble(const Outcome& outcome) {
 }  // namespace
 
 bool Outcome::add(const sim::StepReport& report) {
+  braked += report.braked;
   stepping += report.seconds;
   assembling += report.seconds_assemble;
   solving += report.seconds_solve;

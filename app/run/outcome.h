@@ -22,6 +22,7 @@ struct Outcome {
   int inverted = 0;                  // elements after the last step
   std::string not_converged_reason;  // of the first step that did not converge, if one did not
   std::string overlap;               // which bodies go through each other, and since when; empty: none
+  std::int64_t braked = 0;           // steps that would have made energy of nothing
   bool no_factor = false;            // there was no memory for the matrix's factor
   std::int64_t resumed_step = -1;    // step that the run went on after; -1: none
   // s: taking steps, and of these in matrices and in solvers; building and the whole run

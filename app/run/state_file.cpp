@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr std::string_view magic = "RITZSTAT";
-constexpr std::uint32_t format = 5;
+constexpr std::uint32_t format = 6;
 constexpr std::size_t checksum_bytes = 8;
 
 template <typename Unsigned>

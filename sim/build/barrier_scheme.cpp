@@ -14,7 +14,7 @@ void check_barrier_scheme(const Parts& parts, const Scene& scene) {
                                                : "its one iteration has no line search";
   throw InputError("time.integrator", "\"" + std::string(scheme.name) +
                                           "\" cannot keep bodies off each other and off obstacles: " + why +
-                                          "; take backward-euler, bdf2, tr-bdf2 or trapezoidal");
+                                          "; take backward-euler, bdf2, sdirk2, tr-bdf2 or trapezoidal");
 }
 
 }  // namespace sim

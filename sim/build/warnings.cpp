@@ -108,16 +108,6 @@ void warn_of_falling_energy(const Body& body, Remarks& remarks) {
                         "\" may run away when much deformed; stable-neo-hookean and corotated have one");
 }
 
-// What a first stage did to a body that hits something goes on in the second one, which may have lifted off by then.
-void warn_of_impacts(const Parts& parts, Remarks& remarks) {
-  const auto goes_on = [](const Stage& stage) { return stage.d[first_stage] != 0; };
-  const auto stages = parts.scheme->stages;
-  if (std::any_of(stages.begin(), stages.end(), goes_on) && parts.model.limits_moves())
-    remarks.push_back("energy: with " + std::string(parts.scheme->name) +
-                      " bodies may leave what they hit with more energy than they came with; with bdf2, tr-bdf2, "
-                      "trapezoidal and backward-euler they do not");
-}
-
 void warn_of_mass_solve(const Parts& parts, Remarks& remarks) {
   const auto consistent = [](const Mass& mass) { return !mass.lumped(); };
   if (parts.scheme->is_explicit() && std::any_of(parts.model.masses.begin(), parts.model.masses.end(), consistent))
@@ -133,7 +123,6 @@ std::vector<std::string> warnings(const Parts& parts) {
     warn_of_slender_bending(parts, body, remarks);
     warn_of_falling_energy(body, remarks);
   }
-  warn_of_impacts(parts, remarks);
   warn_of_mass_solve(parts, remarks);
   warn_of_nothing_to_move(parts, remarks);
   return remarks;

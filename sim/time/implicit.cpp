@@ -19,7 +19,12 @@ enum class Guess { stay, flight, carried_on };
 }  // namespace
 
 ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
-    : model_(model), scheme_(scheme), newton_(model, threads), begin_(most_halvings + 1) {
+    : model_(model),
+      scheme_(scheme),
+      newton_(model, threads),
+      limit_(model, newton_.tangent()),
+      may_gain_(!scheme.is_static && newton_.tangent().limits_moves()),
+      begin_(most_halvings + 1) {
   // What a scheme has no use for is zero: a static step leaves a state without a force, not with what memory held.
   for (Eigen::VectorXd* v : {&x_star_, &v_start_, &way_, &target_, &impulse_, &x_first_, &v_first_, &force_first_, &x_,
                              &v_, &x_lagged_, &v_lagged_, &force_, &barrier_impulse_})
@@ -52,19 +57,22 @@ std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const 
     model_.pins.prescribe(problem.t, x_, v_);
   };
   Guess best = Guess::stay, last = Guess::stay;
-  double lowest = std::numeric_limits<double>::infinity();
+  double lowest = std::numeric_limits<double>::infinity(), staying = lowest;
   for (const Guess start : {Guess::stay, Guess::flight, Guess::carried_on}) {
     if (start == Guess::carried_on && next_.v_before.size() == 0) continue;
     last = start;
     aim(start);
-    if (const double potential = newton_.potential(problem, motion); potential < lowest) {
+    const double potential = newton_.potential(problem, motion);
+    if (start == Guess::stay) staying = potential;
+    if (potential < lowest) {
       lowest = potential;
       best = start;
     }
   }
   if (best != last) aim(best);
+  // What is cut ends close to what it would have hit, perhaps higher than it began.
   if (limit_guess(problem)) lowest = newton_.potential(problem, motion);
-  if (std::isfinite(lowest)) return lowest;
+  if (std::isfinite(lowest) && lowest <= staying) return lowest;
   aim(Guess::stay);
   limit_guess(problem);
   return {};
@@ -166,7 +174,8 @@ void ImplicitStepper::finish(const Scheme& scheme, const Motion& begin, double t
 }
 
 // The step before has the same length only where no step is halved.
-const Scheme& ImplicitStepper::scheme_of(const Interval& interval) const {
+const Scheme& ImplicitStepper::scheme_of(const Interval& interval, const StepReport& report) const {
+  if (report.braked) return *find_scheme("backward-euler");
   const bool starts = !scheme_.first_step.empty() && (next_.x_before.size() == 0 || interval.depth > 0);
   return starts ? *find_scheme(scheme_.first_step) : scheme_;
 }
@@ -206,7 +215,7 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
     report.converged = converged_before;
     return true;
   };
-  const Scheme &own = scheme_of(interval), &euler = *find_scheme("backward-euler");
+  const Scheme &own = scheme_of(interval, report), &euler = *find_scheme("backward-euler");
   if (solved(own)) return true;
   if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
@@ -227,35 +236,31 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   return advance({t, middle, h / 2, depth + 1}, report) && advance({middle, t_end, h / 2, depth + 1}, report);
 }
 
-// A step that is accepted unsolved has the velocity of an iteration on its way, which no force justifies. It is slowed
-// down, until kinetic and potential energy together are at most what they were when the step began:
-//   s^2 = (T_n + U(x_n) - U(x_{n+1})) / T_{n+1}, at most 1, 0 where that is negative; v <- s v
-// Neither does it hand on the force of its last stage, which would give that velocity once more.
-void ImplicitStepper::calm(const State& begin, double t, double t_end) {
-  const auto kinetic = [&](const Eigen::VectorXd& v) {
-    force_.setZero();
-    for (const Mass& mass : model_.masses) mass.add_product(1, v, force_, model_.D);
-    return 0.5 * v.dot(force_);
-  };
-  next_.force.setZero();
-  const double had = kinetic(begin.v) + newton_.tangent().energy({begin.x, begin.v, t, 0});
-  const double left = had - newton_.tangent().energy({next_.x, next_.v, t_end, 0}), T = kinetic(next_.v);
-  if (T <= left) return;
-  next_.v *= left > 0 ? std::sqrt(left / T) : 0;
-  model_.pins.prescribe(t_end, next_.x, next_.v);
-}
-
 StepReport ImplicitStepper::step(State& state) {
   StepReport report;
   report.step = state.step + 1;
   Stopwatch watch(report.seconds);
-  next_ = state;
-  in_vain_ = false;
-  if (!advance({model_.t(state.step), model_.t(state.step + 1), model_.h(), 0}, report)) {
+  const Interval whole{model_.t(state.step), model_.t(state.step + 1), model_.h(), 0};
+  const auto take = [&] {
+    next_ = state;
+    in_vain_ = false;
+    report.converged = true;
+    return advance(whole, report);
+  };
+  bool taken = take();
+  const auto gains = [&] {
+    return taken && report.converged && may_gain_ && limit_.gains(state, whole.t, next_, whole.t_end);
+  };
+  if (gains()) {
+    report.braked = true;
+    if (scheme_.order > 1) taken = take();
+    if (gains()) limit_.brake(state, whole.t, next_, whole.t_end);
+  }
+  if (!taken) {
     measure_J(model_, newton_.tangent(), state, report);
     return report;
   }
-  if (!report.converged && !scheme_.is_static) calm(state, model_.t(state.step), model_.t(state.step + 1));
+  if (!report.converged && !scheme_.is_static) limit_.calm(state, whole.t, next_, whole.t_end);
   next_.x_before = state.x;
   next_.v_before = state.v;
   ++next_.step;

@@ -5,6 +5,7 @@
 
 #include "sim/mesh/input_error.h"
 #include "sim/solve/newton.h"
+#include "sim/time/energy_limit.h"
 #include "sim/time/scheme.h"
 #include "sim/time/stepper.h"
 
@@ -23,19 +24,20 @@ class ImplicitStepper final : public Stepper {
     int depth;
   };
   bool advance(const Interval& interval, StepReport& report);
-  const Scheme& scheme_of(const Interval& interval) const;
+  const Scheme& scheme_of(const Interval& interval, const StepReport& report) const;
   bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
   std::optional<double> guess(const StageProblem& problem, const Scheme& scheme, double h);
   bool limit_guess(const StageProblem& problem);
   void find_force(const StageProblem& problem);
   void leave_out_barriers(const StageProblem& problem);
-  void calm(const State& begin, double t, double t_end);
   void finish(const Scheme& scheme, const Motion& begin, double t_end);
 
   const Model& model_;
   const Scheme& scheme_;
   Newton newton_;
+  EnergyLimit limit_;
+  bool may_gain_;             // bodies may hit something
   bool in_vain_ = false;      // halving did not help in the step under way
   State next_;                // the step under way; the caller's state is untouched until it is done
   std::vector<State> begin_;  // where the step, and its halves, began; by depth
