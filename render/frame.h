@@ -84,10 +84,11 @@ struct Marker {
   Colour colour{0.13F, 0.16F, 0.20F};
 };
 
-// Text anchored above a point: the name of a body.
+// Text anchored above a point, or below it: the name of a body.
 struct Label {
   Point at{0, 0, 0};
   std::string text;
+  bool below = false;
 };
 
 struct Series {

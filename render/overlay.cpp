@@ -92,8 +92,8 @@ float Overlay::title_end(const Frame& frame) const {
   return frame.title.empty() ? 0 : 0.8F * page_.margin + title_scale * page_.size;
 }
 
-// Above their points, but inside the picture, left of the legend and clear of each other: one that would cover those
-// before it stands above or, where the title is, below them.
+// Above or below their points, but inside the picture, left of the legend and clear of each other: one that would cover
+// those before it stands above or, where the title is, below them.
 void Overlay::draw_labels(const Frame& frame, const View& view, ImVec2 legend) const {
   const float pad = 0.4F * page_.size, highest = title_end(frame) + pad;
   std::vector<ImVec4> taken;  // x and y of the upper left corner, x and y of the lower right one
@@ -103,7 +103,9 @@ void Overlay::draw_labels(const Frame& frame, const View& view, ImVec2 legend) c
     if (!view.orthographic && at.z() < view.near_distance) continue;
     const ImVec2 size = page_.measure(label.text);
     const float half = size.x / 2 + pad, height = size.y + pad;
-    float top = std::max(at.y() - 1.9F * page_.size, highest) - pad / 2;
+    const float lowest = page_.height - page_.margin - height;
+    float top = label.below ? std::min(at.y() + 0.5F * page_.size, lowest)
+                            : std::max(at.y() - 1.9F * page_.size, highest) - pad / 2;
     const float end = top + height > legend.y ? legend.x : page_.width;
     const float x = std::clamp(at.x(), std::min(half, end / 2), std::max(end - half, end / 2));
     // What only touches, but for round-off, does not cover: it could not be moved any further.

@@ -1,6 +1,5 @@
 #include "app/picture/picture.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,9 +7,9 @@
 #include "app/picture/caption.h"
 #include "app/picture/colour_values.h"
 #include "app/picture/energies.h"
+#include "app/picture/labels.h"
 #include "app/picture/rigid_surface.h"
 #include "app/picture/stage.h"
-#include "render/view.h"
 
 namespace app {
 namespace {
@@ -134,7 +133,7 @@ render::Frame Picture::frame(const Moment& moment) const {
   add_values(moment, frame);
   if (look.pins) add_pins(moment.state, frame);
   arrows_.add(moment.state, frame.arrows);
-  if (shows_labels()) add_labels(frame);
+  if (shows_labels()) add_labels(surfaces_.size(), frame);
   if (look.energies) frame.strips.push_back(energy_strip(moment.energies, document_.scene.time.seconds));
   if (!moment.sheet) frame.caption = caption(look.caption, system_, moment);
   return frame;
@@ -197,23 +196,6 @@ void Picture::add_pins(const sim::State& state, render::Frame& frame) const {
       const float* at = frame.surfaces[i].positions.data() + std::ptrdiff_t{3} * vertex;
       frame.markers.push_back({.at = {at[0], at[1], at[2]}});
     }
-  }
-}
-
-// Above the point that is highest on the screen, in the middle of the body.
-void Picture::add_labels(render::Frame& frame) const {
-  const Eigen::Vector3f ahead =
-      (render::to_vector(frame.camera.target) - render::to_vector(frame.camera.eye)).normalized();
-  const Eigen::Vector3f world_up = render::to_vector(frame.camera.up);
-  const Eigen::Vector3f up = (world_up - world_up.dot(ahead) * ahead).normalized();
-  for (std::size_t i = 0; i < std::min(surfaces_.size(), frame.surfaces.size()); ++i) {
-    const render::Surface& surface = frame.surfaces[i];
-    const Eigen::Map<const Eigen::Matrix3Xf> points(surface.positions.data(), 3,
-                                                    static_cast<Eigen::Index>(surface.positions.size() / 3));
-    if (points.cols() == 0) continue;
-    const Eigen::Vector3f middle = points.rowwise().mean();
-    const Eigen::Vector3f top = middle + ((up.transpose() * points).maxCoeff() - up.dot(middle)) * up;
-    frame.labels.push_back({{top.x(), top.y(), top.z()}, surface.name});
   }
 }
 

@@ -29,7 +29,6 @@ class Picture {
  private:
   void add_values(const Moment& moment, render::Frame& frame) const;
   void add_pins(const sim::State& state, render::Frame& frame) const;
-  void add_labels(render::Frame& frame) const;
   void place_obstacles(const sim::State& state, render::Frame& frame) const;
   bool shows_labels() const;
   bool is_placed() const;

@@ -3,8 +3,10 @@
 #include <array>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "sim/element/element.h"
+#include "sim/mesh/components.h"
 #include "sim/mesh/input_error.h"
 #include "sim/term/enclosed.h"
 #include "sim/term/ramp.h"
@@ -62,28 +64,53 @@ PressureLoad::PressureLoad(const Body& body, const Pressure& pressure, const Eig
   rest_volume_ = volume(X);
 }
 
-// A solid's facets face outwards, and pressure acts against them. A membrane's face as its elements do; where they
-// enclose a volume, pressure acts from inside.
+// A solid's facets face outwards, and pressure acts against them. A membrane's face as its elements do; each part of it
+// that encloses a volume is turned to face outwards, so that pressure acts from inside.
 void PressureLoad::orient(const Body& body, const Eigen::VectorXd& X) {
   const int corners = corners_of(facets_.rows(), D_);
   std::map<std::array<int, 2>, int> sides;  // from corner to corner; a corner alone in the plane
-  for (const auto& facet : facets_.colwise())
-    for (int i = 0; i < corners; ++i) {
-      const int from = facet[i], to = D_ == 3 ? facet[(i + 1) % corners] : -1 - i;
-      ++sides[{from, to}];
-    }
+  const auto side_of = [&](const auto& facet, int i) {
+    return std::array{facet[i], D_ == 3 ? facet[(i + 1) % corners] : -1 - i};
+  };
   const auto other = [&](const std::array<int, 2>& side) {
     return D_ == 3 ? std::array{side[1], side[0]} : std::array{side[0], -3 - side[1]};
   };
   bool alike = true;
-  for (const auto& [side, count] : sides) {
-    alike = alike && count == 1;
-    open_ = open_ || !sides.contains(other(side));
-  }
+  for (const auto& facet : facets_.colwise())
+    for (int i = 0; i < corners; ++i) alike = ++sides[side_of(facet, i)] == 1 && alike;
+  std::vector<char> at_rim(static_cast<std::size_t>(facets_.cols()), 0);
+  for (std::size_t k = 0; k < at_rim.size(); ++k)
+    for (int i = 0; i < corners; ++i)
+      if (!sides.contains(other(side_of(facets_.col(static_cast<Eigen::Index>(k)), i)))) at_rim[k] = open_ = true;
   if (sim::info(body.mesh.kind).dimension == D_) return;
   sign_ = 1;
   if (!alike) throw InputError("value", "the faces of \"" + body.name + "\" do not all face the same way");
-  if (!open_ && volume(X) < 0) sign_ = -1;
+  turn_outwards(body.mesh.kind, at_rim, X);
+}
+
+void PressureLoad::turn_outwards(ElementKind kind, const std::vector<char>& at_rim, const Eigen::VectorXd& X) {
+  std::vector<double> enclosed(at_rim.size());
+  visit([&]<class Facet, int D>(Eigen::Index k) {
+    enclosed[static_cast<std::size_t>(k)] = Enclosed<Facet, D>::volume(gathered<Facet, D>(X, k));
+  });
+  Mesh surface;
+  surface.kind = kind;
+  surface.X.resize(D_, X.size() / D_);
+  surface.elements = facets_;
+  for (const Component& part : components(surface)) {
+    double V = 0;
+    bool closed = true;
+    for (const int k : part.elements) {
+      V += enclosed[static_cast<std::size_t>(k)];
+      closed = closed && !at_rim[static_cast<std::size_t>(k)];
+    }
+    if (!closed || V > 0) continue;
+    for (const int k : part.elements) {
+      auto facet = facets_.col(k);
+      std::swap(facet[1], facet[2]);
+      if (facet.size() == 6) std::swap(facet[3], facet[5]);
+    }
+  }
 }
 
 TermInfo PressureLoad::info() const {

@@ -43,6 +43,7 @@ class PressureLoad final : public Term {
   template <class Facet, int D>
   Eigen::Matrix<double, D, Facet::nodes> gathered(const Eigen::VectorXd& x, Eigen::Index facet) const;
   void orient(const Body& body, const Eigen::VectorXd& X);
+  void turn_outwards(ElementKind kind, const std::vector<char>& at_rim, const Eigen::VectorXd& X);
 
   std::string body_;
   Pressure pressure_;

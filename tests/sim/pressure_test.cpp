@@ -180,6 +180,20 @@ TEST(Pressure, InsideOutBalloonsAreBlownUpAllTheSame) {
   EXPECT_THROW(System(scene, 1), InputError);
 }
 
+// Each for itself, wherever it faces.
+TEST(Pressure, OfTwoBalloonsInOneBodyEachIsBlownUp) {
+  Scene scene = balloon("stvk", 2);
+  const double right = balancing(System(scene, 1), 1.2);
+  Mesh& mesh = scene.bodies[0].mesh;
+  const Mesh one = mesh;
+  mesh.X.conservativeResize(3, 2 * one.node_count());
+  mesh.X.rightCols(one.node_count()) = one.X.colwise() + Eigen::Vector3d(1, 2, 3);
+  mesh.elements.conservativeResize(3, 2 * one.element_count());
+  mesh.elements.rightCols(one.element_count()) = one.elements.array() + one.node_count();
+  mesh.elements.rightCols(one.element_count()).row(0).swap(mesh.elements.rightCols(one.element_count()).row(1));
+  EXPECT_NEAR(balancing(System(scene, 1), 1.2), right, 1e-9 * right);
+}
+
 // Under equal pressure on all sides a solid block shrinks by p (1 - 2 nu)/E in every direction.
 TEST(Pressure, PressesOnASolidFromOutside) {
   Scene scene = beam("hex8", 2, 1e6, 0.3);
