@@ -102,7 +102,7 @@ sim::Mesh filled_surface(const MeshSpec& spec, const sim::Mesh& surface, std::ve
   add_remark(remarks, shells.turned, "triangles faced the other way than their neighbours and have been turned");
   add_remark(remarks, shells.inside_out, "shells were inside out and have been turned");
   add_remark(remarks, shells.cavities, "shells inside of others are walls of cavities");
-  add_remark(remarks, filling.crumbs, "parts smaller than 1 % of the body have been left out");
+  add_remark(remarks, filling.crumbs, "parts smaller than 1 % of the largest one have been left out");
   constexpr double half = 0.5;
   if (filling.spanned < half)
     remarks.push_back("the body is " + percent(filling.spanned) +

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/fill/inherit.h"
 #include "sim/fill/lattice.h"
 #include "sim/fill/split.h"
 #include "sim/fill/winding.h"
@@ -159,17 +160,18 @@ double volume_of(const Mesh& mesh, const std::vector<int>& elements) {
   return sum;
 }
 
-// Leaves the parts out that are too small to be meant: what is left of tips that are thinner than the lattice.
+// Leaves the parts out that are too small to be meant: what is left of tips that are thinner than the lattice. Of many
+// parts that are alike, all are meant.
 int drop_crumbs(Mesh& mesh) {
-  constexpr double share = 0.01;
+  constexpr double share = 0.01;  // of the largest one
   const std::vector<Component> parts = components(mesh);
   std::vector<double> volumes;
-  double total = 0;
-  for (const Component& part : parts) total += volumes.emplace_back(volume_of(mesh, part.elements));
+  for (const Component& part : parts) volumes.push_back(volume_of(mesh, part.elements));
+  const double largest = *std::max_element(volumes.begin(), volumes.end());
   std::vector<int> kept;
   int dropped = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (volumes[k] < share * total)
+    if (volumes[k] < share * largest)
       ++dropped;
     else
       kept.insert(kept.end(), parts[k].elements.begin(), parts[k].elements.end());
@@ -202,6 +204,7 @@ Filling fill(const Mesh& surface, double size) {
   filling.crumbs = drop_crumbs(filling.mesh);
   const Eigen::Matrix3Xd inside = filling.mesh.X;
   filling.spanned = (inside.rowwise().maxCoeff() - inside.rowwise().minCoeff()).maxCoeff() / (high - low).maxCoeff();
+  filling.mesh.groups = inherit_groups(surface, filling.mesh);
   filling.smallest_angle = smallest_dihedral(filling.mesh);
   return filling;
 }

@@ -10,10 +10,10 @@
 namespace sim {
 
 struct Filling {
-  Mesh mesh;  // tet4
+  Mesh mesh;  // tet4; the surface's groups are its own
   Shells shells;
   double smallest_angle = 0;  // degrees, of all dihedral angles
-  int crumbs = 0;             // parts of less than 1/100 of the volume, left out
+  int crumbs = 0;             // parts of less than 1/100 of the largest one, left out
   double spanned = 0;         // the longest side of the body's box, of that of the surface's
 };
 

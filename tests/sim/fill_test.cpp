@@ -5,6 +5,7 @@
 
 #include "sim/fill/carry.h"
 #include "sim/fill/winding.h"
+#include "sim/mesh/components.h"
 #include "sim/mesh/dihedral.h"
 #include "tests/sim/mesh_support.h"
 #include "tests/sim/surfaces.h"
@@ -85,6 +86,46 @@ TEST(Fill, WhatEnclosesNothingIsRefused) {
   EXPECT_EQ(reason(without_triangles(ball(1), 0, 1200), 0.2).find("mesh.surface: encloses nothing: "), 0);
   EXPECT_EQ(reason(ball(0.01), 0.5), "mesh.surface: encloses nothing as large as mesh.size");
   EXPECT_EQ(reason(ball(1), 1e-3), "mesh.size: makes a lattice of more than 4e6 vertices");
+}
+
+// A cube of which one side is a group, and another one as well.
+TEST(Fill, GroupsOfTheSurfaceAreGroupsOfTheSolid) {
+  Mesh surface = block_surface({1, 1, 1});
+  Group top{"top", {}, {}, {}, 2};
+  for (int t = 0; t < surface.element_count(); ++t) {
+    const auto corners = surface.elements.col(t);
+    if (surface.X(2, corners[0]) + surface.X(2, corners[1]) + surface.X(2, corners[2]) > 3 - 1e-9)
+      top.elements.push_back(t);
+  }
+  surface.groups = {top};
+  const Mesh solid = fill(surface, 0.15).mesh;
+  ASSERT_EQ(solid.groups.size(), 1U);
+  const Group& group = solid.groups[0];
+  EXPECT_EQ(group.name, "top");
+  double area = 0;
+  for (const auto& f : group.facets.colwise())
+    area += (solid.X.col(f[1]) - solid.X.col(f[0]))
+                .head<3>()
+                .cross((solid.X.col(f[2]) - solid.X.col(f[0])).head<3>())
+                .norm() /
+            2;
+  EXPECT_NEAR(area, 1, 0.1);  // edges are cut
+  for (const int node : group.nodes) EXPECT_GT(solid.X(2, node), 0.85);
+}
+
+// Of a hundred and fifty equal balls none is a crumb; beside a ball of eight times their radius all are.
+TEST(Fill, CrumbsAreSmallBesideTheLargestPart) {
+  const Mesh one = ball(0.5, {0, 0, 0}, 1);
+  Mesh many = one;
+  for (int k = 1; k < 150; ++k) {
+    Mesh next = one;
+    next.X.colwise() += 1.5 * Vec3(k % 5, k / 5 % 5, k / 25);
+    many = joined(many, next);
+  }
+  const Filling all = fill(many, 0.4);
+  EXPECT_EQ(all.crumbs, 0);
+  EXPECT_EQ(components(all.mesh).size(), 150U);
+  EXPECT_EQ(fill(joined(one, ball(4, {6, 0, 0})), 0.4).crumbs, 1);
 }
 
 TEST(Carry, AnAffineMotionTakesThePointsAlongExactly) {

@@ -1,0 +1,80 @@
+#include "sim/fill/inherit.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "sim/contact/distance.h"
+#include "sim/math/vec3.h"
+#include "sim/mesh/boundary.h"
+
+namespace sim {
+namespace {
+
+// Triangles with balls around their middles, which tell most of them apart from the nearest one at once.
+class Triangles {
+ public:
+  explicit Triangles(const Mesh& surface) : surface_(surface) {
+    for (int t = 0; t < surface.element_count(); ++t) {
+      const std::array<Vec3, 3> X = corners(t);
+      const Vec3 middle = (X[0] + X[1] + X[2]) / 3;
+      middles_.push_back(middle);
+      radii_.push_back(std::max({(X[0] - middle).norm(), (X[1] - middle).norm(), (X[2] - middle).norm()}));
+    }
+  }
+
+  int nearest(const Vec3& x) const {
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < middles_.size(); ++t) {
+      const double reach = least + radii_[t];
+      if ((middles_[t] - x).squaredNorm() >= reach * reach) continue;
+      const std::array<Vec3, 3> X = corners(static_cast<int>(t));
+      const Vec3 pair[] = {x, X[0], X[1], X[2]};
+      const double d = nearest_point_triangle(pair).d;
+      if (d >= least) continue;
+      least = d;
+      best = static_cast<int>(t);
+    }
+    return best;
+  }
+
+ private:
+  std::array<Vec3, 3> corners(int t) const {
+    std::array<Vec3, 3> X;
+    for (int i = 0; i < 3; ++i) X[i] = surface_.X.col(surface_.elements(i, t));
+    return X;
+  }
+
+  const Mesh& surface_;
+  std::vector<Vec3> middles_;
+  std::vector<double> radii_;  // m
+};
+
+}  // namespace
+
+std::vector<Group> inherit_groups(const Mesh& surface, const Mesh& solid) {
+  if (surface.groups.empty()) return {};
+  const Eigen::MatrixXi facets = boundary_facets(solid);
+  const Triangles triangles(surface);
+  std::vector<int> nearest;
+  for (const auto& facet : facets.colwise())
+    nearest.push_back(triangles.nearest((solid.X.col(facet[0]) + solid.X.col(facet[1]) + solid.X.col(facet[2])) / 3));
+  std::vector<Group> groups;
+  for (const Group& source : surface.groups) {
+    if (source.elements.empty()) continue;
+    Group group{source.name, {}, {}, {}, 2};
+    std::vector<Eigen::Index> own;
+    for (std::size_t k = 0; k < nearest.size(); ++k)
+      if (std::binary_search(source.elements.begin(), source.elements.end(), nearest[k]))
+        own.push_back(static_cast<Eigen::Index>(k));
+    group.facets = facets(Eigen::indexing::all, own);
+    group.nodes.assign(group.facets.reshaped().begin(), group.facets.reshaped().end());
+    std::sort(group.nodes.begin(), group.nodes.end());
+    group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+}  // namespace sim
