@@ -31,6 +31,8 @@ struct State {
   // J, where bodies may hit something: the most that they had, kinetic and potential, since something last drove them,
   // and their largest kinetic energy since then. The latter negative: neither is known.
   double energy_most = 0, kinetic_most = -1;
+  std::int64_t parts = 1;   // explicit schemes: how many a step is taken in (sim/time/step_watch.h)
+  Eigen::VectorXd fastest;  // ... and the shape of the vibration that asks for them; empty: not watched yet
   KeptFactor kept;
 };
 
@@ -45,6 +47,8 @@ void for_each_field(S& state, const F& f) {
   f(state.force);
   f(state.energy_most);
   f(state.kinetic_most);
+  f(state.parts);
+  f(state.fastest);
   auto& k = state.kept;
   f(k.what);
   f(k.excess);

@@ -2,6 +2,8 @@
 
 #include <sys/wait.h>
 
+#include <cstring>
+
 #include "app/base/process.h"
 
 namespace app {
@@ -12,11 +14,16 @@ std::string gnuplot_quoted(const std::string& text) {
   return "'" + result + "'";
 }
 
-bool run_gnuplot(const std::filesystem::path& script) {
+std::string run_gnuplot(const std::filesystem::path& script) {
+  if (!is_installed("gnuplot"))
+    return "no gnuplot here (apt-get install gnuplot-nox); where there is one, gnuplot " + script.string() +
+           " draws it";
   pid_t process = 0;
-  if (start_process({"gnuplot", script.string()}, -1, process) != 0) return false;
+  if (const int error = start_process({"gnuplot", script.string()}, -1, process); error != 0)
+    return std::string("gnuplot could not be started: ") + std::strerror(error);
   const int status = wait_for_process(process);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+  return "gnuplot failed on " + script.string() + "; what it said is above";
 }
 
 }  // namespace app

@@ -9,7 +9,8 @@ namespace app {
 // Text between a script's single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
-// Runs gnuplot on the script; false where there is none, or where it fails.
-bool run_gnuplot(const std::filesystem::path& script);
+// Runs gnuplot on the script, whose own words go where ours do. Empty when it has drawn; else why it has not, as a
+// sentence.
+std::string run_gnuplot(const std::filesystem::path& script);
 
 }  // namespace app

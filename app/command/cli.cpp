@@ -220,7 +220,8 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   add_modes_options(command("modes"), options);
   add_expect_options(command("record"), options);
   add_trade_output_options(command("trade"), options);
-  add_trade_options(command("trade"), options.trade);
+  add_trade_options(command("trade"), options);
+  add_size_options(command("trade"), options, "Of --show: each picture is half as wide and high [1280x720]");
   add_stress_options(command("stress"), options);
   add_residual_options(command("residuals"), options);
   CLI::App& explain = command("explain");

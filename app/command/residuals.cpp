@@ -53,15 +53,15 @@ int residuals(const Options& options) {
   write_atomically(folder / "coefficients.csv", coefficients_csv(studies), false);
   write_atomically(folder / "orders.csv", orders_csv(studies), false);
   write_atomically(folder / "residuals.csv", residuals_csv(studies), false);
-  bool drawn = true;
+  std::string not_drawn;
   for (const ResidualStudy& study : studies) {
     const fs::path script = folder / (study.file.name + ".gnuplot");
     write_atomically(script, residual_plot_script(study, folder / study.file.name), false);
-    drawn = run_gnuplot(script) && drawn;
+    if (const std::string why = run_gnuplot(script); !why.empty()) not_drawn = why;
   }
   std::cout << "numbers in " << folder.string() << "/residuals.csv, coefficients.csv, orders.csv\n"
-            << (drawn ? "diagrams beside them, -solutions and -convergence as .svg and .png\n"
-                      : "no diagrams: gnuplot is not installed or failed; its scripts are in the folder\n");
+            << (not_drawn.empty() ? "diagrams beside them, -solutions and -convergence as .svg and .png\n"
+                                  : "no diagrams: " + not_drawn + "\n");
   return exit_done;
 }
 

@@ -6,7 +6,30 @@
 
 namespace app {
 
-void add_trade_options(CLI::App& command, TradeOptions& options) {
+namespace {
+
+// Runs beside each other, as pictures.
+void add_show_options(CLI::App& command, Options& options) {
+  CLI::Option* const show =
+      command
+          .add_option("--show", options.trade.show_names,
+                      "Draw reference, scene and advice beside each other, and the runs of these names")
+          ->expected(0, -1)
+          ->type_name("NAME");
+  command.add_flag("--still", options.still, "Of --show, only the frame in which they differ most")->needs(show);
+  add_named(command, "--video", options.video, "Of --show, a video made by ffmpeg instead of frames: out.mp4", "FILE")
+      ->needs(show);
+  // Without a name there is one empty name.
+  command.parse_complete_callback([&options, show] {
+    options.trade.show = show->count() > 0;
+    std::erase(options.trade.show_names, "");
+  });
+}
+
+}  // namespace
+
+void add_trade_options(CLI::App& command, Options& all) {
+  TradeOptions& options = all.trade;
   CLI::Option* const minutes = command.add_option("--minutes", options.minutes, "Wall time that may be taken")
                                    ->check(within(0.05, 1e5))
                                    ->type_name("M")
@@ -29,6 +52,7 @@ void add_trade_options(CLI::App& command, TradeOptions& options) {
       ->excludes(jobs)
       ->excludes(one);
   command.add_flag("--ablate", options.ablate, "Remove one feature of the scene at a time: what it costs and changes");
+  add_show_options(command, all);
 }
 
 }  // namespace app

@@ -1,7 +1,7 @@
 // The options of `ritz trade` on the command line.
 #pragma once
 
-#include "app/options/trade_options.h"
+#include "app/options/options.h"
 
 namespace CLI {
 class App;
@@ -9,6 +9,6 @@ class App;
 
 namespace app {
 
-void add_trade_options(CLI::App& command, TradeOptions& options);
+void add_trade_options(CLI::App& command, Options& options);
 
 }  // namespace app

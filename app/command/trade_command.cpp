@@ -86,11 +86,11 @@ int compare(const Options& options) {
   };
   const auto one = measured(options, "one");
   if (!one) return interrupted(folder);
-  one->report();
+  const Advice first_advice = one->report();
   const auto other = measured(others, "other");
   if (!other) return interrupted(folder);
-  other->report();
-  Diagram first = one->diagram(), second = other->diagram();
+  const Advice second_advice = other->report();
+  Diagram first = one->diagram(first_advice), second = other->diagram(second_advice);
   if (first.name == second.name) {
     first.name += ", as it is";
     second.name += ", " + options.trade.compare.stem().string();
@@ -115,7 +115,13 @@ int trade(const Options& options) {
   } else if (!trade.measure(std::nullopt)) {
     return interrupted(folder);
   }
-  trade.report();
+  const Advice advice = trade.report();
+  if (!options.trade.show) return exit_done;
+  try {
+    trade.show(advice, interrupt);
+  } catch (const Interrupted&) {
+    return exit_interrupted;
+  }
   return exit_done;
 }
 

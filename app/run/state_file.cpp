@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr std::string_view magic = "RITZSTAT";
-constexpr std::uint32_t format = 6;
+constexpr std::uint32_t format = 7;
 constexpr std::size_t checksum_bytes = 8;
 
 template <typename Unsigned>
@@ -96,8 +96,9 @@ void take_field(Reader& reader, double& value) {
 }
 
 bool plausible(const sim::State& state) {
-  bool good = state.step >= 0 && state.v.size() == state.x.size() && std::abs(state.kept.definiteness) <= 1 &&
-              state.kept.what >= 0 && state.kept.what <= static_cast<int>(sim::Kept::coarse);
+  bool good = state.step >= 0 && state.parts >= 1 && state.v.size() == state.x.size() &&
+              std::abs(state.kept.definiteness) <= 1 && state.kept.what >= 0 &&
+              state.kept.what <= static_cast<int>(sim::Kept::coarse);
   for_each_field(state, [&](const auto& field) {
     if constexpr (requires { field.allFinite(); })
       good = good && field.allFinite() && (field.size() == 0 || field.size() == state.x.size());

@@ -34,7 +34,7 @@ std::string line(const Removal& removal) {
 std::string csv_line(const Removal& removal) {
   std::string text = quoted_field(removal.run->which.label);
   for (const double x :
-       {removal.run->work.median(), removal.saved, removal.change.rms, removal.change.max, removal.change.pixels}) {
+       {removal.run->work.least(), removal.saved, removal.change.rms, removal.change.max, removal.change.pixels}) {
     text += ',';
     if (removal.run->status == CaseStatus::done) append_number(text, x);
   }
@@ -73,7 +73,7 @@ int ablate(const Options& options) {
     scorer.set(references);
     for (const TradeCase& which : cases) {
       const CaseRun& run = notebook.run(which, notebook.left());
-      Removal removal{&run, 1 - run.work.median() / whole.work.median(), {}};
+      Removal removal{&run, 1 - run.work.least() / whole.work.least(), {}};
       if (run.status == CaseStatus::done) removal.change = scorer.apart(run, whole);
       removals.push_back(removal);
     }

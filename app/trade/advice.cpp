@@ -18,8 +18,7 @@ constexpr double time_margin = 1.1;  // wall times vary
 std::vector<const Score*> candidates(const std::vector<const Score*>& scores) {
   std::vector<const Score*> list;
   for (const Score* score : scores)
-    if (score->run->status == CaseStatus::done && score->run->which.axis != Axis::reference &&
-        std::isfinite(score->bound.rms) && score->seconds() > 0)
+    if (score->run->status == CaseStatus::done && std::isfinite(score->bound.rms) && score->seconds > 0)
       list.push_back(score);
   return list;
 }
@@ -40,7 +39,7 @@ const Score* knee_of(std::vector<const Score*> list) {
     std::erase_if(list, [&](const Score* s) { return s->bound.rms > limit; });
   }
   std::vector<sim::WorkError> points;
-  for (const Score* score : list) points.push_back({score->seconds(), score->bound.rms});
+  for (const Score* score : list) points.push_back({score->seconds, score->bound.rms});
   return list[sim::knee(points, sim::front(points))];
 }
 
@@ -49,7 +48,7 @@ const Score* knee_of(std::vector<const Score*> list) {
 std::vector<const Score*> front_of(const std::vector<const Score*>& scores) {
   const std::vector<const Score*> list = candidates(scores);
   std::vector<sim::WorkError> points;
-  for (const Score* score : list) points.push_back({score->seconds(), score->bound.rms});
+  for (const Score* score : list) points.push_back({score->seconds, score->bound.rms});
   std::vector<const Score*> members;
   for (const int k : sim::front(points)) members.push_back(list[k]);
   return members;
@@ -57,7 +56,7 @@ std::vector<const Score*> front_of(const std::vector<const Score*>& scores) {
 
 bool meets(const Score& score, const Goal& goal) {
   if (goal.kind == Goal::Kind::knee) return true;
-  if (goal.kind == Goal::Kind::time) return time_margin * score.seconds() <= goal.value;
+  if (goal.kind == Goal::Kind::time) return time_margin * score.seconds <= goal.value;
   return error_of(score.bound, goal) <= goal.value;
 }
 
@@ -66,8 +65,8 @@ const Score* choose(const std::vector<const Score*>& scores, const Goal& goal) {
   if (list.empty()) return nullptr;
   if (goal.kind == Goal::Kind::knee) return knee_of(list);
   const bool by_time = goal.kind == Goal::Kind::time;
-  const auto wanted = [&](const Score* s) { return by_time ? s->bound.rms : s->seconds(); };
-  const auto limited = [&](const Score* s) { return by_time ? s->seconds() : error_of(s->bound, goal); };
+  const auto wanted = [&](const Score* s) { return by_time ? s->bound.rms : s->seconds; };
+  const auto limited = [&](const Score* s) { return by_time ? s->seconds : error_of(s->bound, goal); };
   const auto better = [&](const Score* a, const Score* b) {
     const bool a_meets = meets(*a, goal), b_meets = meets(*b, goal);
     if (a_meets != b_meets) return a_meets;
@@ -87,6 +86,7 @@ const Score* choose(const std::vector<const Score*>& scores, const Goal& goal) {
 std::string advice_toml(const TradeCase& which, const std::string& comment) {
   std::map<std::string, std::string> tables;  // "time", "body.0.mesh"
   for (const auto& [key, value] : which.settings) {
+    if (key == thread_option) continue;  // of the command line
     const std::size_t dot = key.rfind('.');
     tables[key.substr(0, dot)] += key.substr(dot + 1) + " = " + toml_value(value) + "\n";
   }

@@ -15,7 +15,12 @@ TradeCase scene_case() {
 
 Options options_of(const Options& scene, const TradeCase& which) {
   Options options = scene;
-  for (const auto& [key, value] : which.settings) options.overrides.push_back({key, value, key + "=" + value});
+  for (const auto& [key, value] : which.settings) {
+    if (key == thread_option)
+      options.threads = std::stoi(value);
+    else
+      options.overrides.push_back({key, value, key + "=" + value});
+  }
   return options;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/options/options.h"
 #include "sim/study/trajectory.h"
+#include "sim/study/unit_costs.h"
 
 namespace app {
 
@@ -15,6 +16,9 @@ enum class Axis { scene, reference, time, mesh, rest, advice };
 
 // "scene", "reference", ...
 std::string_view axis_name(Axis axis);
+
+// The one setting that is no key of the scene.
+inline constexpr const char* thread_option = "--threads";
 
 struct TradeCase {
   std::string label;  // "tr-bdf2 h=1/120"
@@ -37,7 +41,10 @@ TradeCase with(TradeCase which, const std::string& label, const std::string& key
 // Work per simulated second.
 struct Work {
   std::vector<double> seconds;  // wall, stepping only, the first step of a run left out: one for each timed run
+  double cpu = 0;               // CPU seconds of all threads, the least of these runs
   double steps = 0, newton = 0, force_evaluations = 0, factorisations = 0, linear = 0;
+
+  sim::StepCounts counts() const { return {steps, force_evaluations, factorisations, linear}; }
 
   double median() const;
   double least() const;
@@ -53,8 +60,9 @@ struct CaseRun {
   double estimate = 0;   // s: what a run that was given up would have taken
   sim::Trajectory path;  // of the scene's own nodes
   Work work;
-  double step = 0;  // s, h
-  int order = 0;    // of the integrator
+  std::vector<sim::TimedStep> timed;  // some of its steps, all along it
+  double step = 0;                    // s, h
+  int order = 0;                      // of the integrator
   std::int64_t dofs = 0;
   std::int64_t not_converged = 0;  // steps
 };

@@ -32,6 +32,7 @@ std::string head(const CaseRun& run) {
   line("dimension", std::to_string(run.path.dimension));
   line("frames", std::to_string(run.path.frames()));
   line("numbers", std::to_string(run.path.frames() > 0 ? run.path.x.front().size() : 0));
+  line("timed", std::to_string(run.timed.size()));
   std::string settings, seconds;
   for (const auto& [key, value] : run.which.settings)
     settings += (settings.empty() ? "" : ", ") + quoted_text(key) + ", " + quoted_text(value);
@@ -45,8 +46,13 @@ std::string head(const CaseRun& run) {
 template <class Run, class F>
 void for_each_number(Run& run, const F& f) {
   auto& work = run.work;
-  for (auto* x : {&run.step, &work.steps, &work.newton, &work.force_evaluations, &work.factorisations, &work.linear})
+  for (auto* x :
+       {&run.step, &work.cpu, &work.steps, &work.newton, &work.force_evaluations, &work.factorisations, &work.linear})
     f(*x);
+  for (auto& [counts, seconds] : run.timed) {
+    for (auto* x : {&counts.steps, &counts.force_evaluations, &counts.factorisations, &counts.linear}) f(*x);
+    f(seconds);
+  }
   for (auto& t : run.path.t) f(t);
   for (auto& x : run.path.x)
     for (auto& number : x) f(number);
@@ -64,6 +70,7 @@ void make_room(const toml::table& table, CaseRun& run) {
   run.path.t.resize(frames);
   run.path.x.assign(frames, Eigen::VectorXd::Zero(table["numbers"].value_or(0)));
   run.path.measures.resize(frames);
+  run.timed.resize(static_cast<std::size_t>(table["timed"].value_or(0)));
 }
 
 CaseRun read_head(const toml::table& table) {

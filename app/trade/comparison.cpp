@@ -39,6 +39,8 @@ Comparison make_comparison(const Options& options) {
                              ": time.integrator = \"static\": there is no motion to trade; --set "
                              "time.integrator=backward-euler steps it");
   comparison.points = sim::sample_points(*comparison.scene.system);
+  comparison.points.ride_on_nearest = std::ranges::any_of(
+      comparison.scene.document.meshes, [](const MeshSpec& mesh) { return mesh.source == MeshSource::surface; });
   comparison.view = screen_of(comparison.scene);
   comparison.stretch = stretch_of(comparison, comparison.scene.last_frame());
   return comparison;
@@ -52,8 +54,9 @@ Stretch stretch_of(const Comparison& comparison, std::int64_t frames) {
   return {frames / stride * stride, stride};
 }
 
-std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene) {
+std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene, int threads) {
   std::string text(ritz_version);
+  if (threads != comparison.options.threads) text += " threads " + std::to_string(threads);
   for (const std::uint64_t number : {comparison.scene.identity, scene, std::uint64_t(comparison.stretch.last),
                                      std::uint64_t(comparison.stretch.stride)})
     text += ' ' + std::to_string(number);

@@ -32,9 +32,9 @@ Comparison make_comparison(const Options& options);
 // As many of the first frames as given; of long ones every second, third, ... is compared.
 Stretch stretch_of(const Comparison& comparison, std::int64_t frames);
 
-// A case as the comparison's stretch sees it.
-// `scene`: identity of the scene with the case's settings.
-std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene);
+// A case as the comparison's stretch sees it. `scene`: identity of the scene with the case's settings; `threads`: what
+// the case runs on.
+std::uint64_t case_id(const Comparison& comparison, std::uint64_t scene, int threads);
 
 // The trajectory in pixels: two numbers per point, origin top left.
 sim::Trajectory on_screen(const Comparison& comparison, const sim::Trajectory& path);

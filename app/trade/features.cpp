@@ -25,6 +25,7 @@ void add_body_features(const Document& scene, std::size_t b, std::vector<TradeCa
   add(!body.loads.tractions.empty(), "tractions", "traction", "[]");
   add(!body.loads.pressures.empty(), "pressures", "pressure", "[]");
   add(!body.loads.forces.empty(), "forces at points", "force", "[]");
+  add(body.untangle > 0, "untangling", "untangle", "0");
   add(body.materials.size() > 1, "regions of other material", "region", "[]");
   add(element.order == 2, "quadratic elements (" + linear + " instead)", "mesh.element", linear);
   add(model != "linear", "nonlinear material (linear instead)", "material.model", "linear");
@@ -59,6 +60,8 @@ void add_step_features(const Document& scene, std::vector<TradeCase>& list) {
     list.push_back(without("Newton's method (linearly-implicit instead)", "time.integrator", "linearly-implicit"));
   if (scene.scene.solver.definiteness != sim::Definiteness::none)
     list.push_back(without("definiteness fix (exact tangent instead)", "solver.definiteness", "none"));
+  if (scene.scene.solver.lag_iterations > 0)
+    list.push_back(without("iterations of what lags (frozen for a step instead)", "solver.lag_iterations", "0"));
   list.push_back(without("tolerance (1e-2 instead)", "solver.tolerance", "1e-2"));
 }
 

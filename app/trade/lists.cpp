@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "app/base/text.h"
 #include "sim/element/element.h"
+#include "sim/stepper.h"
 #include "sim/time/scheme.h"
 
 namespace app {
@@ -24,15 +26,17 @@ bool lags(const sim::Scene& scene) {
          std::ranges::any_of(scene.contacts, [](const sim::Contact& contact) { return contact.friction > 0; });
 }
 
-TradeCase lagging(const TradeCase& which) {
-  return with(which, "lag 1", "solver.lag_iterations", "1");
+TradeCase lagging(const TradeCase& which, const std::string& iterations) {
+  return with(which, "lag " + iterations, "solver.lag_iterations", iterations);
 }
 
 TradeCase reference_case(const Document& scene, std::string_view integrator, int substeps) {
   TradeCase which = time_case(scene, integrator, substeps);
   which.axis = Axis::reference;
-  which = with(with(which, "tolerance 1e-6", "solver.tolerance", tight), "auto", "solver.linear", "auto");
-  return lags(scene.scene) ? lagging(which) : which;
+  which = with(which, "tolerance 1e-6", "solver.tolerance", tight);
+  if (scene.scene.solver.linear != sim::LinearSolverKind::automatic)
+    which = with(which, "auto", "solver.linear", "auto");
+  return lags(scene.scene) ? lagging(which, "1") : which;
 }
 
 bool is_number(const std::string& text, double value) {
@@ -63,6 +67,13 @@ void add_solver_cases(const sim::Solver& solver, const TradeCase& around, std::v
       list.push_back(with(around, std::string("tolerance ") + value, "solver.tolerance", value));
   add_choices("", "solver.linear", solver.linear, around, list);
   add_choices("definiteness ", "solver.definiteness", solver.definiteness, around, list);
+}
+
+// How often friction and damping are evaluated anew at a stage's solution.
+void add_lag_cases(const sim::Solver& solver, const TradeCase& around, std::vector<TradeCase>& list) {
+  const std::string is = setting(around, "solver.lag_iterations", std::to_string(solver.lag_iterations));
+  for (const char* const iterations : {"0", "1", "2"})
+    if (is != iterations) list.push_back(lagging(around, iterations));
 }
 
 // One change to every body that it changes at all.
@@ -104,21 +115,23 @@ TradeCase time_case(const Document& scene, std::string_view integrator, int subs
           {{"time.integrator", std::string(integrator)}, {"time.substeps", std::to_string(substeps)}}};
 }
 
-std::vector<TradeCase> reference_cases(const Document& scene, int depth) {
-  return {reference_case(scene, "tr-bdf2", 16 * depth), reference_case(scene, "tr-bdf2", 8 * depth),
-          reference_case(scene, "sdirk2", 8 * depth), reference_case(scene, "sdirk2", 4 * depth)};
+std::vector<TradeCase> reference_cases(const Document& scene, int fine) {
+  return {reference_case(scene, "tr-bdf2", fine), reference_case(scene, "tr-bdf2", fine / 2),
+          reference_case(scene, "sdirk2", fine / 2), reference_case(scene, "sdirk2", fine / 4)};
+}
+
+std::vector<std::string> implicit_schemes() {
+  std::vector<std::string> names = {"backward-euler", "tr-bdf2"};
+  for (const sim::Scheme& scheme : sim::schemes())
+    if (!scheme.is_explicit() && !scheme.is_static && std::ranges::find(names, scheme.name) == names.end())
+      names.emplace_back(scheme.name);
+  return names;
 }
 
 std::vector<TradeCase> time_cases(const Document& scene, int depth) {
-  constexpr std::string_view first[] = {"backward-euler", "tr-bdf2"};
-  std::vector<std::string_view> names(std::begin(first), std::end(first));
-  for (const sim::Scheme& scheme : sim::schemes()) {
-    const bool listed = scheme.name == first[0] || scheme.name == first[1];
-    if (!scheme.is_explicit() && !scheme.is_static && !listed) names.push_back(scheme.name);
-  }
   std::vector<TradeCase> list;
   for (int substeps = 1; substeps <= depth; substeps *= 2)
-    for (const std::string_view name : names) list.push_back(time_case(scene, name, substeps));
+    for (const std::string& name : implicit_schemes()) list.push_back(time_case(scene, name, substeps));
   return list;
 }
 
@@ -140,13 +153,25 @@ std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around
   const bool implicit = !sim::find_scheme(integrator)->is_explicit();
   if (implicit) add_solver_cases(scene.scene.solver, start, list);
   if (implicit) add_distance_cases(scene.scene, start, list);
-  if (implicit && lags(scene.scene) && scene.scene.solver.lag_iterations == 0) list.push_back(lagging(start));
+  if (implicit && lags(scene.scene)) add_lag_cases(scene.scene.solver, start, list);
   const auto mass = [](const sim::Body& body) { return std::string(name_of(body.mass)); };
   const auto model = [](const sim::Body& body) { return body.materials.front().model; };
   add_body_case(scene, start, "mass", "lumped", mass, list);
   if (implicit) add_body_case(scene, start, "mass", "consistent", mass, list);
   for (const char* const value : {"corotated", "linear"})
     add_body_case(scene, start, "material.model", value, model, list);
+  return list;
+}
+
+std::vector<TradeCase> thread_cases(const sim::System& system, int given, const TradeCase& around) {
+  std::vector<TradeCase> list;
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  for (int threads = 1; threads <= cores; threads *= 2) {
+    if (sim::useful_threads(system, threads) != threads || sim::useful_threads(system, given) == threads) continue;
+    list.push_back(with(around, std::to_string(threads) + (threads == 1 ? " thread" : " threads"), thread_option,
+                        std::to_string(threads)));
+    list.back().axis = Axis::rest;
+  }
   return list;
 }
 

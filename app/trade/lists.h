@@ -5,17 +5,21 @@
 
 #include "app/scene/document.h"
 #include "app/trade/case.h"
+#include "sim/system.h"
 
 namespace app {
 
-// The two runs of the reference scheme and the two of the one that checks it: steps of an eighth (and a sixteenth, a
-// quarter) of the smallest of the ladder, tight tolerance. In the order of sim::ReferenceRuns.
-std::vector<TradeCase> reference_cases(const Document& scene, int depth);
+// The two runs of the reference scheme, with `fine` steps a frame and half of them, and the two of the scheme that
+// checks it, with a half and a quarter; tight tolerance. In the order of sim::ReferenceRuns. fine: 4, 8, 16, ...
+std::vector<TradeCase> reference_cases(const Document& scene, int fine);
 
 // One case: integrator with `substeps` steps a frame.
 TradeCase time_case(const Document& scene, std::string_view integrator, int substeps);
 
-// Every scheme with 1, 2, 4, ... depth steps a frame, the most telling first.
+// One of the first and one of the second order, then all others.
+std::vector<std::string> implicit_schemes();
+
+// Each of them with 1, 2, 4, ... depth steps a frame.
 std::vector<TradeCase> time_cases(const Document& scene, int depth);
 
 // The explicit schemes with the steps that stability needs.
@@ -31,8 +35,12 @@ struct MeshChange {
 // Coarser and finer meshes, linear, quadratic and of bricks where the scene's meshes can be made so.
 std::vector<MeshChange> mesh_changes(const Document& scene);
 
-// One setting changed at a time: tolerance, linear solver, definiteness, contact distance, mass, material.
+// One setting changed at a time: tolerance, linear solver, definiteness, contact distance, lag of friction and damping,
+// mass, material. What the scene lacks is not tried.
 std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around);
+
+// The case on other numbers of threads than those that are given; none where the system has no use for them.
+std::vector<TradeCase> thread_cases(const sim::System& system, int given, const TradeCase& around);
 
 // The settings of `a`, then those of `b` over them.
 TradeCase both(const TradeCase& a, const TradeCase& b, Axis axis);

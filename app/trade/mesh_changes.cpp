@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/scene/value_text.h"
 #include "app/trade/lists.h"
 #include "sim/element/element.h"
 #include "sim/mesh/generate.h"
@@ -29,6 +30,7 @@ bool possible(const MeshSpec& mesh, int refine, const sim::ElementInfo& from, co
   const bool file = mesh.source == MeshSource::file || mesh.source == MeshSource::surface;
   if (!to || (file && to->simplex() != from.simplex())) return false;
   if (mesh.source == MeshSource::sheet && !to->membrane) return false;
+  if (mesh.source == MeshSource::surface) return true;
   return mesh.refine + refine >= 0 || (!file && std::ranges::all_of(mesh.cells, [](int n) { return n >= 2; }));
 }
 
@@ -45,6 +47,11 @@ std::string list_text(const std::vector<int>& numbers) {
 void add_keys(const MeshSpec& mesh, int refine, std::string_view element, const std::string& body, TradeCase& which) {
   if (element != mesh.element) which = with(which, "", body + ".mesh.element", "\"" + std::string(element) + "\"");
   if (refine == 0) return;
+  // Filled anew: splitting its cells would keep the steps with which they follow the surface.
+  if (mesh.source == MeshSource::surface) {
+    which = with(which, "", body + ".mesh.size", number_literal(std::ldexp(mesh.size, -refine)));
+    return;
+  }
   if (mesh.refine + refine >= 0) {
     which = with(which, "", body + ".mesh.refine", std::to_string(mesh.refine + refine));
   } else {
@@ -54,9 +61,10 @@ void add_keys(const MeshSpec& mesh, int refine, std::string_view element, const 
   }
 }
 
-std::string label(int refine, std::string_view element) {
-  constexpr const char* before[] = {"half the cells, ", "", "cells split once, ", "cells split twice, "};
-  return before[refine + 1] + std::string(element);
+std::string label(const MeshSpec& mesh, int refine, std::string_view element) {
+  constexpr const char* split[] = {"half the cells, ", "", "cells split once, ", "cells split twice, "};
+  constexpr const char* filled[] = {"size doubled, ", "", "size halved, ", "size quartered, "};
+  return (mesh.source == MeshSource::surface ? filled : split)[refine + 1] + std::string(element);
 }
 
 std::optional<MeshChange> apply(const Document& scene, const Change& change) {
@@ -68,7 +76,7 @@ std::optional<MeshChange> apply(const Document& scene, const Change& change) {
     if (!possible(mesh, change.refine, from, to)) return std::nullopt;
     result.finest = result.finest && (change.refine > 0 || from.order == 1);
     add_keys(mesh, change.refine, to->name, "body." + std::to_string(b), result.change);
-    result.change.label = label(change.refine, to->name);
+    result.change.label = label(mesh, change.refine, to->name);
     result.growth = std::max(
         result.growth, std::pow(2.0, from.dimension * change.refine) * nodes_per_cell(*to) / nodes_per_cell(from));
   }

@@ -65,8 +65,8 @@ void Notebook::skip(const TradeCase& which, const std::string& reason) {
 const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
   const Options options = options_of(comparison_.options, which);
   try {
-    const std::uint64_t id =
-        case_id(comparison_, scene_identity(load_scene(options.scene, options.settings, options.overrides)));
+    const std::uint64_t id = case_id(
+        comparison_, scene_identity(load_scene(options.scene, options.settings, options.overrides)), options.threads);
     if (CaseRun* const earlier = known(id)) return *earlier;
     if (!recall_only_.empty() || left() <= 0) {
       CaseRun run;
@@ -100,15 +100,12 @@ double Notebook::first_look(const TradeCase& which) {
 
 CaseRun Notebook::run_afresh(const TradeCase& which) {
   const Simulation simulation = build_simulation(options_of(comparison_.options, which));
-  return run_case(comparison_, which, simulation, {1e12, 0}, interrupt_);
+  return run_case(comparison_, which, simulation, {1e12, repeat_share * seconds_}, interrupt_);
 }
 
-void Notebook::time_again(const CaseRun& run) {
-  CaseRun* const mine = known(run.id);
-  if (!mine) return;
+std::vector<sim::TimedStep> Notebook::time_steps(const CaseRun& run, double seconds) {
   const Simulation simulation = build_simulation(options_of(comparison_.options, run.which));
-  app::time_again(comparison_, simulation, *mine, interrupt_);
-  keep(*mine);
+  return timed_steps(comparison_, run.which, simulation, seconds, interrupt_);
 }
 
 }  // namespace app

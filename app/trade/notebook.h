@@ -26,8 +26,8 @@ class Notebook {
   CaseRun run_afresh(const TradeCase& which);
   // Cases that are not in the folder are from now on skipped for this reason.
   void recall_only(const std::string& reason) { recall_only_ = reason; }
-  // Times runs again while there is time.
-  void time_again(const CaseRun& run);
+  // The first steps of a run, timed anew.
+  std::vector<sim::TimedStep> time_steps(const CaseRun& run, double seconds);
   // Lists a case as skipped without a try.
   void skip(const TradeCase& which, const std::string& reason);
 

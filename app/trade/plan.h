@@ -15,9 +15,9 @@ struct Plan {
 };
 
 // The deepest plan that fits into so many seconds; only when not even the shallowest does, fewer frames: errors grow
-// with time, so what is measured over a part says little of the whole. Given what a reference run with depth `tried`
-// over the whole scene would take.
-Plan affordable_plan(double seconds, double reference_seconds, int tried, std::int64_t frames);
+// with time, so what is measured over a part says little of the whole. Given what one step a frame takes over the whole
+// scene.
+Plan affordable_plan(double seconds, double step_seconds, std::int64_t frames);
 
 // The plan of an earlier trade of the same scene in the same time.
 std::optional<Plan> read_plan(const std::filesystem::path& file, std::uint64_t scene, double seconds);

@@ -1,5 +1,8 @@
 #include "app/trade/run_case.h"
 
+#include <algorithm>
+
+#include "app/base/other_load.h"
 #include "app/base/stopwatch.h"
 #include "app/base/text.h"
 #include "sim/mesh/input_error.h"
@@ -10,38 +13,69 @@ namespace app {
 namespace {
 
 constexpr int repeats = 3;
+constexpr std::size_t most_timed = 64;  // steps of a run whose times are kept
 
 // One pass over the stretch.
 class Pass {
  public:
-  Pass(const Comparison& comparison, const Simulation& simulation, const Interrupt& interrupt)
+  Pass(const Comparison& comparison, const TradeCase& which, const Simulation& simulation, const Interrupt& interrupt)
       : comparison_(comparison),
         system_(*simulation.system),
         interrupt_(interrupt),
-        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, comparison.options.threads))),
+        stepper_(
+            sim::make_stepper(system_, sim::useful_threads(system_, options_of(comparison.options, which).threads))),
         state_(system_.initial_state()),
         steps_(comparison.stretch.last * system_.steps_per_frame()) {}
 
   // Fills in what the run shows. With a sampler the path is kept.
   void go(const Allowance& allowance, const sim::Sampler* sampler, CaseRun& run) {
     const Stopwatch watch;
+    const double cpu_before = own_cpu_seconds();
     while (state_.step < steps_) {
       if (interrupt_.requested()) throw Interrupted{};
       const sim::StepReport report = stepper_->step(state_);
       if (!report.failure.empty()) return fail(report, run);
       add(report, run);
+      if (state_.step > 1) timed_.push_back(timed_step(report));
       if (sampler && state_.step % (comparison_.stretch.stride * system_.steps_per_frame()) == 0)
         sim::add_frame(system_, state_, *sampler, run.path);
       const double so_far = watch.seconds(), whole = so_far / double(state_.step) * double(steps_);
       if (so_far > allowance.patience && whole > allowance.run) return give_up(whole, run);
     }
     run.status = CaseStatus::done;
+    run.work.cpu = (own_cpu_seconds() - cpu_before) / system_.time(state_.step);
     per_simulated_second(run);
+    keep_some(run);
+  }
+
+  // Its steps only.
+  std::vector<sim::TimedStep> go(double seconds) {
+    const Stopwatch watch;
+    while (state_.step < steps_ && (watch.seconds() < seconds || timed_.size() < least_timed)) {
+      if (interrupt_.requested()) throw Interrupted{};
+      const sim::StepReport report = stepper_->step(state_);
+      if (!report.failure.empty()) break;
+      if (state_.step > 1) timed_.push_back(timed_step(report));
+    }
+    return timed_;
   }
 
   double seconds() const { return seconds_ + first_; }
 
  private:
+  static constexpr std::size_t least_timed = 8;
+
+  static sim::TimedStep timed_step(const sim::StepReport& report) {
+    return {{1, double(report.force_evaluations), double(report.factorisations), double(report.linear)},
+            report.seconds};
+  }
+
+  // As many as are kept, all along the way.
+  void keep_some(CaseRun& run) const {
+    const std::size_t stride = std::max<std::size_t>(1, (timed_.size() + most_timed - 1) / most_timed);
+    for (std::size_t k = 0; k < timed_.size(); k += stride) run.timed.push_back(timed_[k]);
+  }
+
   void add(const sim::StepReport& report, CaseRun& run) {
     (state_.step == 1 ? first_ : seconds_) += report.seconds;
     run.work.newton += report.newton;
@@ -79,10 +113,11 @@ class Pass {
   sim::State state_;
   std::int64_t steps_;
   double first_ = 0, seconds_ = 0;  // of the first step, which warms up, and of all others
+  std::vector<sim::TimedStep> timed_;
 };
 
 void describe(const Comparison& comparison, const Simulation& simulation, CaseRun& run) {
-  run.id = case_id(comparison, simulation.identity);
+  run.id = case_id(comparison, simulation.identity, options_of(comparison.options, run.which).threads);
   run.step = simulation.system->step_seconds();
   run.order = sim::find_scheme(simulation.document.scene.time.integrator)->order;
   run.dofs = simulation.system->counts().dofs;
@@ -98,10 +133,16 @@ CaseRun run_case(const Comparison& comparison, const TradeCase& which, const Sim
   describe(comparison, simulation, run);
   try {
     const sim::Sampler sampler(*simulation.system, comparison.points);
-    Pass first(comparison, simulation, interrupt);
+    Pass first(comparison, which, simulation, interrupt);
     first.go(allowance, &sampler, run);
     const bool repeat = run.status == CaseStatus::done && first.seconds() < allowance.repeat;
-    for (int k = 1; repeat && k < repeats; ++k) time_again(comparison, simulation, run, interrupt);
+    for (int k = 1; repeat && k < repeats; ++k) {
+      CaseRun again;
+      Pass(comparison, which, simulation, interrupt).go({1e12}, nullptr, again);
+      if (again.status != CaseStatus::done) continue;
+      run.work.seconds.push_back(again.work.seconds.front());
+      run.work.cpu = std::min(run.work.cpu, again.work.cpu);
+    }
   } catch (const sim::InputError& error) {
     run.status = CaseStatus::failed;
     run.reason = error.what();
@@ -117,10 +158,9 @@ CaseRun refused_case(const TradeCase& which, const std::string& reason) {
   return run;
 }
 
-void time_again(const Comparison& comparison, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt) {
-  CaseRun again;
-  Pass(comparison, simulation, interrupt).go({1e12}, nullptr, again);
-  if (!again.work.seconds.empty()) run.work.seconds.push_back(again.work.seconds.front());
+std::vector<sim::TimedStep> timed_steps(const Comparison& comparison, const TradeCase& which,
+                                        const Simulation& simulation, double seconds, const Interrupt& interrupt) {
+  return Pass(comparison, which, simulation, interrupt).go(seconds);
 }
 
 }  // namespace app

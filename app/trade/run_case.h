@@ -23,7 +23,8 @@ CaseRun run_case(const Comparison& comparison, const TradeCase& which, const Sim
 // The run of a case whose settings do not go together.
 CaseRun refused_case(const TradeCase& which, const std::string& reason);
 
-// Times it once more.
-void time_again(const Comparison& comparison, const Simulation& simulation, CaseRun& run, const Interrupt& interrupt);
+// Steps from the beginning for so many seconds, or to the end, and how long each took.
+std::vector<sim::TimedStep> timed_steps(const Comparison& comparison, const TradeCase& which,
+                                        const Simulation& simulation, double seconds, const Interrupt& interrupt);
 
 }  // namespace app

@@ -48,6 +48,11 @@ void Scorer::set(const References& references) {
   known_.clear();
 }
 
+void Scorer::set(const Costs& costs) {
+  costs_ = costs;
+  for (auto& [run, score] : known_) score.seconds = costs_.seconds(*run);
+}
+
 Apart Scorer::apart(const CaseRun& a, const CaseRun& b) const {
   const int frames = references_.check.frames;
   const sim::Difference difference = sim::difference(a.path, b.path, comparison_.points, frames);
@@ -65,6 +70,7 @@ const Score& Scorer::score(const CaseRun& run) {
 Score Scorer::judge(const CaseRun& run) const {
   Score score;
   score.run = &run;
+  score.seconds = costs_.seconds(run);
   score.bound = {infinite, infinite, infinite};
   if (run.status != CaseStatus::done || !references_.time) return score;
   judge_against_time(score);
@@ -86,13 +92,17 @@ void Scorer::judge_against_time(Score& score) const {
   score.mean_energy = drift.mean_energy;
   const double floor = 10 * references_.check.uncertainty;
   score.resolved = error.rms >= floor;
-  const double share = error.rms > 0 ? references_.check.uncertainty / error.rms : 0;
-  if (!references_.mesh) score.bound = sum(error, {share * error.rms, share * error.max, share * error.pixels});
+  score.below = error.rms < told_apart * references_.check.uncertainty;
+  if (!references_.mesh) score.bound = sum(error, references_.uncertainty);
 }
 
 void Scorer::judge_against_mesh(Score& score) const {
   const CaseRun& run = *score.run;
-  if (&run == references_.mesh) return;
+  if (&run == references_.mesh) {
+    score.total = Apart{};
+    score.bound = references_.total_uncertainty;
+    return;
+  }
   score.total = apart(run, *references_.mesh);
   if (in_mesh_study(run.which, references_.mesh_time)) score.mesh = score.total;
   Apart largest = *score.total;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/trade/comparison.h"
+#include "app/trade/costs.h"
 #include "app/trade/goal.h"
 #include "sim/study/reference_check.h"
 
@@ -21,10 +22,14 @@ struct Apart {
 struct References {
   const CaseRun* time = nullptr;  // on the scene's mesh; none: no error is known
   sim::ReferenceCheck check;
+  Apart uncertainty;              // of the time error
   const CaseRun* mesh = nullptr;  // on the finest mesh; none: no mesh error is known
   TradeCase mesh_time;            // scheme and step of all runs of which mesh errors are taken
   Apart total_uncertainty;        // of the total error: time error of the mesh reference, and its own mesh error
 };
+
+// An error that is less than this many uncertainties of the reference is not told from zero.
+inline constexpr double told_apart = 2;
 
 struct Score {
   const CaseRun* run = nullptr;
@@ -34,22 +39,22 @@ struct Score {
   std::optional<Apart> total;  // against the finest mesh
   double energy_drift = 0, momentum_drift = 0;  // where the mesh is the scene's
   double centre = 0, mean_energy = 0;           // centre of mass, energy on average: statistics for chaotic scenes
-  bool resolved = false;  // the smallest error known is ten times the reference's uncertainty or more
+  bool below = false;                           // the error on the scene's mesh is not told from zero
+  bool resolved = false;  // it is ten times the reference's uncertainty or more: enough to see an order
 
   // What is certain of the error of the run: the largest of total, time and model error (a total that is smaller than
   // one of its parts is luck), with the uncertainty of the reference. Infinite where nothing is known.
   Apart bound;
-  // The time that runs are ranked by. Other programs on the machine can only make a run slower, so the least of its
-  // times is the nearest to what it costs by itself.
-  double seconds() const { return run->work.least(); }
+  double seconds = 0;  // wall, per simulated second, by itself: what runs are ranked by
 };
 
 class Scorer {
  public:
   explicit Scorer(const Comparison& comparison) : comparison_(comparison), screen_(screen_points(comparison)) {}
 
-  // From now on runs are measured against these; earlier scores are forgotten.
+  // From now on runs are measured against these, and cost so much.
   void set(const References& references);
+  void set(const Costs& costs);
   const References& references() const { return references_; }
   Apart apart(const CaseRun& a, const CaseRun& b) const;
   // The score of a run is kept under the run's address, which must not change.
@@ -63,6 +68,7 @@ class Scorer {
   const Comparison& comparison_;
   sim::SamplePoints screen_;
   References references_;
+  Costs costs_;
   std::map<const CaseRun*, Score> known_;
 };
 

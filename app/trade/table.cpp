@@ -20,8 +20,8 @@ std::string in_percent(const std::optional<Apart>& apart) {
 }
 
 std::string time_error(const Score& score, const References& references) {
-  if (!score.time || score.resolved) return in_percent(score.time ? score.time : score.model);
-  return formatted("<%.2g", 1000 * references.check.uncertainty);
+  if (!score.time || !score.below) return in_percent(score.time ? score.time : score.model);
+  return formatted("<%.2g", 100 * (score.time->rms + references.check.uncertainty));
 }
 
 std::string row(const Score& score, bool on_front, const References& references) {
@@ -29,7 +29,7 @@ std::string row(const Score& score, bool on_front, const References& references)
   const std::optional<Apart>& whole = score.total ? score.total : score.time ? score.time : score.model;
   return formatted("%c %-60s %9s %9s %9s %8.3g %9.3g %9.3g %8.0f %7.0f %8.0f%s\n", on_front ? '*' : ' ',
                    run.which.label.c_str(), time_error(score, references).c_str(), in_percent(score.mesh).c_str(),
-                   in_percent(score.total).c_str(), whole ? whole->pixels : 0.0, run.work.median(), run.work.least(),
+                   in_percent(score.total).c_str(), whole ? whole->pixels : 0.0, score.seconds, run.work.least(),
                    run.work.force_evaluations, run.work.factorisations, run.work.linear,
                    run.not_converged > 0 ? "  not converged" : "");
 }
@@ -94,7 +94,8 @@ constexpr std::string_view header =
     "case,axis,settings,status,reason,step,dofs,time_error,time_error_max,time_pixels,mesh_error,mesh_error_max,"
     "mesh_pixels,model_error,model_error_max,model_pixels,total_error,total_error_max,total_pixels,error_bound,"
     "resolved,"
-    "energy_drift,momentum_drift,centre_error,mean_energy,seconds_per_second,least_seconds_per_second,timed_runs,"
+    "energy_drift,momentum_drift,centre_error,mean_energy,seconds_per_second,least_wall_per_second,cpu_per_second,"
+    "timed_runs,"
     "steps_per_second,newton_per_second,force_evaluations_per_second,factorisations_per_second,linear_per_second,"
     "not_converged,compared_seconds,front,id\n";
 
@@ -104,11 +105,11 @@ std::string table_text(const std::vector<const Score*>& scores, const References
   const std::vector<const Score*> members = front_of(scores);
   std::vector<const Score*> done, other;
   for (const Score* score : scores) (score->run->status == CaseStatus::done ? done : other).push_back(score);
-  std::ranges::stable_sort(done, {}, [](const Score* s) { return s->seconds(); });
+  std::ranges::stable_sort(done, {}, [](const Score* s) { return s->seconds; });
   constexpr const char* head = "  %-60s %9s %9s %9s %8s %9s %9s %8s %7s %8s\n";
-  std::string text = formatted(head, "", "time", "mesh", "total", "", "median", "least", "force", "factor-", "linear") +
+  std::string text = formatted(head, "", "time", "mesh", "total", "", "by", "wall", "force", "factor-", "linear") +
                      formatted(head, "per simulated second; * = on the front", "error %", "error %", "error %",
-                               "pixels", "s", "s", "evals", "isations", "its");
+                               "pixels", "counts s", "s", "evals", "isations", "its");
   for (const Score* score : done) text += row(*score, std::ranges::find(members, score) != members.end(), references);
   text += left_out(other);
   for (const Slope& slope : slopes(scores))
@@ -129,7 +130,11 @@ std::string trade_csv(const std::vector<const Score*>& scores, const Comparison&
     row.apart(score->time).apart(score->mesh).apart(score->model).apart(score->total);
     row.number(score->bound.rms).number(score->resolved ? 1 : 0);
     row.number(score->energy_drift).number(score->momentum_drift).number(score->centre).number(score->mean_energy);
-    row.number(work.median()).number(work.least()).number(double(work.seconds.size())).number(work.steps);
+    row.number(score->seconds)
+        .number(work.least())
+        .number(work.cpu)
+        .number(double(work.seconds.size()))
+        .number(work.steps);
     row.number(work.newton).number(work.force_evaluations).number(work.factorisations).number(work.linear);
     row.number(double(run.not_converged)).number(comparison.seconds());
     row.number(std::ranges::find(members, score) != members.end() ? 1 : 0).text(hexadecimal(run.id));

@@ -1,27 +1,20 @@
 #include "app/trade/trade.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <thread>
 
 #include "app/base/gnuplot.h"
-#include "app/base/json.h"
 #include "app/base/output_file.h"
 #include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/trade/advice.h"
+#include "app/trade/side_by_side.h"
 #include "app/trade/table.h"
 
 namespace app {
 namespace {
-
-// "0.62 % (2.1 px)"
-std::string error_text(const Apart& apart) {
-  return percent(apart.rms) + " of the size (" + formatted("%.2g", apart.pixels) + " px)";
-}
-
-const std::optional<Apart>& whole_error(const Score& score) {
-  return score.total ? score.total : score.time ? score.time : score.model;
-}
 
 // The identity of the scene that a folder holds a trade of; empty when it holds none.
 std::string held_scene(const std::filesystem::path& file) {
@@ -52,25 +45,6 @@ std::filesystem::path cases_folder(const Options& options, const std::filesystem
   return folder / "cases";
 }
 
-void add_apart(Json& json, std::string_view name, const std::optional<Apart>& apart) {
-  if (!apart) return;
-  json.key(name).open_object().member("rms", apart->rms).member("max", apart->max).member("pixels", apart->pixels);
-  json.close_object();
-}
-
-void add_score(Json& json, const Score& score) {
-  const CaseRun& run = *score.run;
-  json.member("case", run.which.label).key("settings").open_object();
-  for (const auto& [key, value] : run.which.settings) json.member(key, value);
-  json.close_object();
-  add_apart(json, "time_error", score.time);
-  add_apart(json, "mesh_error", score.mesh);
-  add_apart(json, "model_error", score.model);
-  add_apart(json, "total_error", score.total);
-  json.member("error_bound", score.bound.rms).member("seconds_per_second", run.work.median());
-  json.member("least_seconds_per_second", run.work.least());
-}
-
 }  // namespace
 
 std::filesystem::path trade_folder(const Options& options) {
@@ -90,7 +64,8 @@ Trade::Trade(const Options& options, std::filesystem::path folder, double second
       notebook_(comparison_, cases_folder(options, folder_, comparison_.scene.identity), seconds,
                 options.quiet ? nullptr : &std::cerr, interrupt),
       scorer_(comparison_),
-      search_(comparison_, notebook_, scorer_, goal_, folder_) {
+      measurement_(comparison_, notebook_, scorer_, goal_),
+      search_(measurement_, folder_) {
   notebook_.on_change([this] { write_csv(); });
 }
 
@@ -110,96 +85,80 @@ void Trade::collect(const Plan& plan) {
 }
 
 void Trade::write_csv() {
-  write_atomically(folder_ / "trade.csv", trade_csv(search_.scores(), comparison_), false);
+  write_atomically(folder_ / "trade.csv", trade_csv(measurement_.scores(), comparison_), false);
 }
 
-Diagram Trade::diagram() {
+Diagram Trade::diagram(const Advice& advice) {
   const Document& document = comparison_.scene.document;
-  return {document.title.empty() ? options_.scene.stem().string() : document.title, search_.scores(),
-          scorer_.references().check.uncertainty, scorer_.references().total_uncertainty.rms,
-          choose(search_.scores(), goal_)};
+  const References& references = scorer_.references();
+  return {document.title.empty() ? options_.scene.stem().string() : document.title,
+          measurement_.goal,
+          measurement_.scores(),
+          references.check.uncertainty,
+          references.total_uncertainty.rms,
+          advice.chosen,
+          advice.chosen ? &advice.found : nullptr};
 }
 
 void draw(const std::vector<Diagram>& diagrams, const std::filesystem::path& base, bool quiet) {
-  const std::filesystem::path script = base.string() + ".gp";
-  write_atomically(script, plot_script(diagrams, base), false);
-  if (!run_gnuplot(script))
-    std::cerr << "note: no gnuplot here (apt-get install gnuplot-nox); where there is one, gnuplot " << script.string()
-              << " draws the diagram\n";
-  else if (!quiet)
-    std::cerr << "diagram: " << base.string() << ".svg, .png\n";
+  const auto all_have = [&](ErrorShown shown) {
+    return std::ranges::all_of(diagrams, [&](const Diagram& diagram) { return has_errors(diagram, shown); });
+  };
+  std::vector<std::pair<ErrorShown, std::filesystem::path>> charts;
+  if (all_have(ErrorShown::total)) charts.emplace_back(ErrorShown::total, base);
+  if (all_have(ErrorShown::time))
+    charts.emplace_back(ErrorShown::time, base.string() + (charts.empty() ? "" : "-time"));
+  if (charts.empty()) std::cerr << "note: no diagram: no error is known\n";
+  for (const auto& [shown, path] : charts) {
+    const std::filesystem::path script = path.string() + ".gp";
+    write_atomically(script, plot_script(make_chart(diagrams, shown), path), false);
+    if (const std::string why = run_gnuplot(script); !why.empty())
+      std::cerr << "note: no diagram: " << why << '\n';
+    else if (!quiet)
+      std::cerr << "diagram: " << path.string() << ".svg, .png\n";
+  }
 }
 
-void Trade::advise(Advice& advice) {
-  advice.chosen = choose(search_.scores(), goal_);
-  if (!advice.chosen) return;
-  advice.fresh = notebook_.run_afresh(advice.chosen->run->which);
-  advice.found = scorer_.judge(advice.fresh);
-  const std::string comment =
-      "ritz trade " + options_.scene.string() + ": for " + goal_.text + ": " + advice.chosen->run->which.label;
+void Trade::show(const Advice& advice, const Interrupt& interrupt) {
+  const std::vector<Shown> shown = choose_shown(measurement_, advice, options_.trade.show_names);
+  const std::filesystem::path folder = folder_ / "show";
+  draw_side_by_side(comparison_, shown, options_, folder, interrupt);
+  const bool video = !options_.video.empty() && !options_.still;
+  if (!options_.quiet) std::cerr << "side by side: " << (video ? options_.video : folder).string() << '\n';
+}
+
+// The run that checks the advice follows at once, so that the machine is what it was when its time was predicted.
+Advice Trade::advise() {
+  Advice advice;
+  const std::vector<const Score*> scores = measurement_.scores();
+  advice.own = &scorer_.score(notebook_.run(scene_case(), 0));
+  advice.chosen = choose(scores, measurement_.goal);
+  if (!advice.chosen) return advice;
+  advice.fresh = std::make_unique<const CaseRun>(notebook_.run_afresh(advice.chosen->run->which));
+  advice.found = scorer_.judge(*advice.fresh);
+  advice.found.seconds = advice.fresh->work.least();
+  const std::string comment = "ritz trade " + options_.scene.string() + ": for " + measurement_.goal.text + ": " +
+                              advice.chosen->run->which.label;
   write_atomically(folder_ / "advice.toml", advice_toml(advice.chosen->run->which, comment), false);
+  return advice;
 }
 
-std::string Trade::advice_text(const Advice& advice) {
-  if (!advice.chosen) return "No advice: no error is known.\n";
-  const Score& chosen = *advice.chosen;
-  const Score& own = scorer_.score(notebook_.run(scene_case(), 0));
-  std::string text = "Advice for " + goal_.text + ": " + chosen.run->which.label + ". ";
-  if (!meets(chosen, goal_)) text += "Nothing that was measured is within it; this comes nearest. ";
-  text += "Predicted: an error of " + error_text(*whole_error(chosen)) + ", at most " + percent(chosen.bound.rms) +
-          " with the uncertainty of the reference" + (chosen.total ? " and of the finest mesh" : "") + ", and " +
-          formatted("%.3g", chosen.run->work.median()) + " s per simulated second. A fresh run found " +
-          error_text(*whole_error(advice.found)) + " and " + formatted("%.3g", advice.fresh.work.median()) + " s. ";
-  if (whole_error(own))
-    text += "The scene as it is: " + error_text(*whole_error(own)) + ", " + formatted("%.3g", own.run->work.median()) +
-            " s. ";
-  if (comparison_.shortened())
-    text += "All this holds for the first " + formatted("%.3g", comparison_.seconds()) +
-            " s, not for the whole scene: errors grow with time. ";
-  if (!chosen.total) text += "The error is that of time alone: no mesh error is known. ";
-  return text + "To apply it: ritz record " + options_.scene.string() + " --settings " +
-         (folder_ / "advice.toml").string() + "\n";
+void Trade::tell_load() {
+  constexpr double noticed = 0.3;  // cores
+  const auto others = load_.cores();
+  if (!others || *others < noticed) return;
+  measurement_.notes.push_back(
+      formatted("other programs kept %.1f of %u cores busy meanwhile: ", *others, std::thread::hardware_concurrency()) +
+      "times are counts of work times what each costs at the best, runs took longer");
 }
 
-void Trade::write_json(const Advice& advice) {
-  const References& references = scorer_.references();
-  Json json;
-  json.open_object()
-      .member("scene", options_.scene.string())
-      .member("version", ritz_version)
-      .member("goal", goal_.text);
-  json.member("compared_seconds", comparison_.seconds()).member("depth", search_.plan().depth);
-  json.key("reference").open_object();
-  json.member("moved_by_halving", references.check.moved).member("second_scheme_apart", references.check.apart);
-  json.member("uncertainty", references.check.uncertainty).member("agrees", references.check.agrees);
-  json.member("horizon", references.check.horizon).member("chaotic", references.check.diverges);
-  if (references.mesh) json.member("finest_mesh", references.mesh->which.label);
-  json.close_object().key("notes").open_array();
-  for (const std::string& note : search_.notes()) json.value(note);
-  json.close_array().key("orders").open_object();
-  for (const Slope& slope : slopes(search_.scores())) json.member(slope.integrator, slope.slope);
-  json.close_object();
-  if (advice.chosen) {
-    json.key("advice").open_object();
-    add_score(json, *advice.chosen);
-    json.key("found").open_object();
-    add_score(json, advice.found);
-    json.close_object().close_object();
-  }
-  json.key("cases").open_array();
-  for (const Score* score : search_.scores()) {
-    json.open_object();
-    add_score(json, *score);
-    json.close_object();
-  }
-  json.close_array().close_object();
-  write_atomically(folder_ / "trade.json", json.text(), false);
-}
-
-void Trade::report() {
+Advice Trade::report() {
+  Advice advice = advise();
+  tell_load();
+  const std::vector<const Score*> scores = measurement_.scores();
   write_csv();
   const References& references = scorer_.references();
-  std::cout << table_text(search_.scores(), references);
+  std::cout << table_text(scores, references);
   if (references.time)
     std::cout << "reference: " << references.time->which.label << "; uncertain by "
               << percent(references.check.uncertainty) << " (halving its step moves it by "
@@ -207,12 +166,15 @@ void Trade::report() {
   if (references.mesh)
     std::cout << "finest mesh: " << references.mesh->which.label << "; total errors are uncertain by "
               << percent(references.total_uncertainty.rms) << '\n';
-  for (const std::string& note : search_.notes()) std::cout << "note: " << note << '\n';
-  draw({diagram()}, folder_ / "trade", options_.quiet);
-  Advice advice;
-  advise(advice);
-  write_json(advice);
-  std::cout << advice_text(advice);
+  std::string spent;
+  for (const auto& [phase, seconds] : measurement_.spent)
+    spent += (spent.empty() ? "" : ", ") + phase + formatted(" %.0f s", seconds);
+  std::cout << "time was spent on: " << spent << '\n';
+  for (const std::string& note : measurement_.notes) std::cout << "note: " << note << '\n';
+  draw({diagram(advice)}, folder_ / "trade", options_.quiet);
+  write_atomically(folder_ / "trade.json", trade_json(measurement_, search_.plan(), advice), false);
+  std::cout << advice_text(measurement_, advice, folder_ / "advice.toml");
+  return advice;
 }
 
 }  // namespace app

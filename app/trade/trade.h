@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "app/base/other_load.h"
+#include "app/trade/advice_text.h"
 #include "app/trade/plot.h"
 #include "app/trade/search.h"
 
@@ -25,21 +27,18 @@ class Trade {
   bool measure(const std::optional<Plan>& plan);
   // Only from what lies in the folder.
   void collect(const Plan& plan);
-  // Table, trade.csv, trade.json, plot; then the advice, verified by a fresh run.
-  void report();
+  // Table, trade.csv, trade.json, diagrams, and the advice, verified by a fresh run.
+  Advice report();
 
-  Diagram diagram();
+  // With the run that checked the advice, where there is one.
+  Diagram diagram(const Advice& advice);
+  // Draws runs beside each other into DIR/show, or as a video.
+  void show(const Advice& advice, const Interrupt& interrupt);
 
  private:
-  struct Advice {
-    const Score* chosen = nullptr;
-    Score found;
-    CaseRun fresh;
-  };
   void write_csv();
-  void write_json(const Advice& advice);
-  void advise(Advice& advice);
-  std::string advice_text(const Advice& advice);
+  Advice advise();
+  void tell_load();
 
   Options options_;
   std::filesystem::path folder_;
@@ -47,10 +46,13 @@ class Trade {
   Goal goal_;
   Notebook notebook_;
   Scorer scorer_;
+  Measurement measurement_;
   Search search_;
+  OtherLoad load_;
 };
 
-// Draws DIR/NAME.svg and .png of these diagrams, or says why not.
+// Draws DIR/NAME.svg and .png of these diagrams, and NAME-time of the time errors where the first show total ones; or
+// says why not.
 void draw(const std::vector<Diagram>& diagrams, const std::filesystem::path& base, bool quiet);
 
 }  // namespace app

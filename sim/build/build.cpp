@@ -151,7 +151,9 @@ void settle_substeps(Parts& parts) {
   if (!parts.scheme->is_explicit()) return;
   const double h = margin * stable_step(model);
   model.time.substeps = std::max(1, static_cast<int>(std::ceil(1.0 / (model.time.fps * h))));
-  parts.remarks.push_back("explicit: " + std::to_string(model.time.substeps) + " steps a frame, as stability needs");
+  model.watches_step = true;
+  parts.remarks.push_back("explicit: " + std::to_string(model.time.substeps) +
+                          " steps a frame, as stability needs at rest; they are parted where the body stiffens");
 }
 
 void form_pattern(Parts& parts) {

@@ -30,7 +30,8 @@ struct Model {
   int node_count = 0;  // of bodies, then of obstacles
   int body_nodes = 0;
   int threads = 1;
-  Time time;  // substeps settled
+  Time time;                  // substeps settled
+  bool watches_step = false;  // they are what stability needs at rest: explicit schemes watch what it needs later
   Solver solver;
   std::vector<Body> bodies;
   std::vector<BodyRange> ranges;

@@ -1,6 +1,8 @@
 #include "sim/study/sample.h"
 
 #include "sim/build/parts.h"
+#include "sim/element/element.h"
+#include "sim/fill/carry.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/locate.h"
 
@@ -12,6 +14,15 @@ Vec3 at(const SamplePoints& points, int p) {
   Vec3 X = Vec3::Zero();
   X.head(points.dimension) = points.X.col(p);
   return X;
+}
+
+std::optional<MaterialPoint> place_in(const Mesh& mesh, const Vec3& X, bool or_near) {
+  constexpr double far = 4;  // heights of its element
+  if (auto place = locate(mesh, X)) return place;
+  if (!or_near || !info(mesh.kind).simplex() || info(mesh.kind).dimension != 3) return std::nullopt;
+  const std::vector<MaterialPoint> near = carry(mesh, X);
+  if (farthest_outside(near) > far) return std::nullopt;
+  return near.front();
 }
 
 }  // namespace
@@ -50,7 +61,7 @@ Sampler::Sampler(const System& system, const SamplePoints& points) : dimension_(
       node_.push_back(range.first_node + same);
       weight_.push_back(1);
     } else {
-      const auto place = locate(mesh, at(points, p));
+      const auto place = place_in(mesh, at(points, p), points.ride_on_nearest);
       if (!place)
         throw InputError("body." + std::to_string(b) + ".mesh", "a point of the scene's mesh lies in no element of it");
       for (std::size_t a = 0; a < place->weights.size(); ++a) {

@@ -16,6 +16,9 @@ struct SamplePoints {
   Eigen::VectorXd mass;   // kg, > 0: the diagonal of the mass matrix, scaled to the mass of the body
   Eigen::VectorXd size;   // m, of the body that the point belongs to
   std::vector<int> body;  // of each point
+  // A point that lies in no element of a body of tets rides on the nearest, as its skin does: meshes that fill a
+  // surface follow it in steps of their own size, so the nodes of one may lie outside another.
+  bool ride_on_nearest = false;
 
   int count() const { return static_cast<int>(mass.size()); }
 };
@@ -25,7 +28,7 @@ SamplePoints sample_points(const System& system);
 // Reads the positions of sample points off the states of a system with the same bodies and, perhaps, other meshes.
 class Sampler {
  public:
-  // Throws InputError (key "body.N.mesh") when a point lies in no element of its body.
+  // Throws InputError (key "body.N.mesh") when a point lies in no element of its body, and does not ride on one.
   Sampler(const System& system, const SamplePoints& points);
 
   // dimension numbers per point [m]

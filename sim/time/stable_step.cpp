@@ -8,9 +8,14 @@
 
 namespace sim {
 
+double stable_step(double omega2, double d) {
+  // The same without the difference of two large numbers.
+  const double sum = std::sqrt(d * d + 4 * omega2) + d;
+  return sum > 0 ? 4 / sum : std::numeric_limits<double>::infinity();
+}
+
 double stable_step(const Model& model) {
   constexpr int iterations = 60;
-  constexpr double lacking = 1.05;  // of omega^2, after that many iterations
   TangentOperator K(model, model.threads);
   MassSolve M(model);
   model.pins.mark(0, K.free());
@@ -29,7 +34,13 @@ double stable_step(const Model& model) {
     M.solve(Kp, K.free(), p);
     omega2 = p.norm();
   }
-  return omega2 > 0 ? 2 / std::sqrt(lacking * omega2) : std::numeric_limits<double>::infinity();
+  // Forces are linear in the velocity: f(X, 0) - f(X, p) = D p.
+  const double length = p.norm();
+  if (!(length > 0)) return std::numeric_limits<double>::infinity();
+  p /= length;
+  K.forces({model.X, p, 0, 0}, Kp);
+  M.solve(f - Kp, K.free(), Kp);
+  return stable_step(lacking * omega2, lacking * Kp.norm());
 }
 
 }  // namespace sim

@@ -22,6 +22,8 @@ SavedRun example() {
   run.state.force = Eigen::VectorXd::Constant(6, 2.5);
   run.state.energy_most = -1e300;
   run.state.kinetic_most = 0.1;
+  run.state.parts = 3;
+  run.state.fastest = Eigen::VectorXd::Constant(6, -0.5);
   run.state.kept = {1, 7, 2, 12, -1, 0.25, 0.5, 60, 3600, 2, run.state.v, run.state.x, run.state.x, run.state.v};
   return run;
 }
@@ -58,10 +60,10 @@ TEST(StateFile, OneStepSchemesHaveNoStepBefore) {
 TEST(StateFile, BytesAreLittleEndianAndInTheDocumentedOrder) {
   const std::string bytes = encode(example());
   EXPECT_EQ(bytes.substr(0, 8), "RITZSTAT");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\6\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\7\0\0\0", 4));
   EXPECT_EQ(bytes.substr(12, 8), "\x10\x32\x54\x76\x98\xba\xdc\xfe");
   EXPECT_EQ(bytes[lengths], 6);
-  EXPECT_EQ(bytes.size(), lengths + 9 * (8 + 6 * 8) + 2 * 8 + 5 * 8 + 5 * 8 + 8);
+  EXPECT_EQ(bytes.size(), lengths + 10 * (8 + 6 * 8) + 3 * 8 + 5 * 8 + 5 * 8 + 8);
 }
 
 TEST(StateFile, TruncationAtEveryByteIsNoticed) {
@@ -94,8 +96,8 @@ TEST(StateFile, AbsurdLengthsAreRefusedBeforeAnythingIsAllocated) {
 
 TEST(StateFile, OtherVersionsAndOtherFilesAreNamedAsSuch) {
   std::string newer = encode(example());
-  newer[8] = 6;
-  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 6, this program reads 5"),
+  newer[8] = 8;
+  EXPECT_NE(error_of([&] { decode(newer, "state.bin"); }).find("has version 8, this program reads 7"),
             std::string::npos);
   EXPECT_NE(error_of([] { decode("\x89PNG and something else", "state.bin"); }).find("not a state file"),
             std::string::npos);

@@ -3,6 +3,8 @@
 
 #include "app/trade/advice.h"
 #include "app/trade/plan.h"
+#include "app/trade/reference_search.h"
+#include "app/trade/step_search.h"
 #include "tests/app/temporary_folder.h"
 
 namespace app {
@@ -35,12 +37,12 @@ TEST(Goal, IsReadFromTargetOrBudget) {
 }
 
 TEST(Plan, IsAsDeepAsTheTimeAllows) {
-  EXPECT_EQ(affordable_plan(1e6, 1, 4, 90).depth, 8);
-  EXPECT_EQ(affordable_plan(1e6, 1, 4, 90).frames, 90);
-  const Plan less = affordable_plan(100, 100, 4, 90);
+  EXPECT_EQ(affordable_plan(1e6, 1, 90).depth, 8);
+  EXPECT_EQ(affordable_plan(1e6, 1, 90).frames, 90);
+  const Plan less = affordable_plan(100, 10, 90);
   EXPECT_EQ(less.depth, 1);
   EXPECT_LT(less.frames, 90);
-  EXPECT_EQ(affordable_plan(1e-3, 1e3, 4, 90).frames, 12);
+  EXPECT_EQ(affordable_plan(1e-3, 1e3, 90).frames, 12);
 }
 
 // Runs with known times and bounds.
@@ -55,6 +57,7 @@ struct Scores {
       run.work.seconds = {seconds};
       runs.push_back(run);
       Score score;
+      score.seconds = seconds;
       score.bound = {error, error, 100 * error};
       list.push_back(score);
     }
@@ -69,7 +72,7 @@ struct Scores {
 
 TEST(Advice, IsTheFastestWithinTheErrorAndTheMostAccurateWithinTheTime) {
   const Scores scores{{1, 0.1}, {2, 0.009}, {3, 0.011}, {4, 0.001}, {8, 0.0009}};
-  const auto chosen = [&](const Goal& goal) { return choose(scores.pointers(), goal)->seconds(); };
+  const auto chosen = [&](const Goal& goal) { return choose(scores.pointers(), goal)->seconds; };
   EXPECT_EQ(chosen({Goal::Kind::error, 0.01, ""}), 2);
   EXPECT_EQ(chosen({Goal::Kind::pixels, 0.2, ""}), 4);
   EXPECT_EQ(chosen({Goal::Kind::time, 5, ""}), 4);
@@ -82,10 +85,52 @@ TEST(Advice, IsTheFastestWithinTheErrorAndTheMostAccurateWithinTheTime) {
 // Errors that agree to a percent do not outweigh half the time, nor such times a tenth of the error.
 TEST(Advice, TakesTheBetterOfTwoThatAreEqual) {
   const Scores scores{{4, 0.00100}, {2, 0.001001}, {1.0, 0.01}, {1.005, 0.001}};
-  const auto chosen = [&](const Goal& goal) { return choose(scores.pointers(), goal)->seconds(); };
+  const auto chosen = [&](const Goal& goal) { return choose(scores.pointers(), goal)->seconds; };
   EXPECT_EQ(chosen({Goal::Kind::time, 5}), 1.005);
   EXPECT_EQ(chosen({Goal::Kind::error, 0.02}), 1.005);
   EXPECT_EQ(chosen({Goal::Kind::error, 0.0001}), 1.005) << "nothing meets it: nearest, then fastest";
+}
+
+// e = C h^order: the steps that bring an error to what is wanted.
+TEST(Steps, FollowFromAnErrorAndItsOrder) {
+  EXPECT_EQ(substeps_for(0.08, 1, 1, 0.01), 8);
+  EXPECT_EQ(substeps_for(0.04, 1, 2, 0.01), 2);
+  EXPECT_EQ(substeps_for(0.04, 3, 2, 0.01), 6);
+  EXPECT_EQ(substeps_for(0.001, 3, 2, 0.01), 1) << "a third of the steps is enough";
+  EXPECT_EQ(fine_enough(8, 0.04, 0.01), 16);
+  EXPECT_EQ(fine_enough(8, 0.2, 0.01), 64);
+  EXPECT_EQ(fine_enough(4, 0.001, 0.01), 8) << "at least the next";
+}
+
+// Of two runs of one kind the one that does less is the faster, whatever the clock said; a run that was held up costs
+// what its counts cost in others.
+TEST(Costs, AreCountsTimesUnitsThatAKindShares) {
+  std::deque<CaseRun> runs(3);
+  const double least[] = {2.5, 2.0, 9.0};
+  const sim::StepCounts counts[] = {{60, 401, 100, 100}, {60, 729, 183, 183}, {120, 1000, 250, 250}};
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    Work& work = runs[k].work;
+    work.newton = 1;
+    work.seconds = {least[k]};
+    work.steps = counts[k].steps;
+    work.force_evaluations = counts[k].force_evaluations;
+    work.factorisations = counts[k].factorisations;
+    work.linear = counts[k].linear;
+    for (int step = 0; step < 12; ++step) {
+      const double f = 4 + step % 3, factors = 1 + step % 4, held_up = k == 2 && step % 2 == 0 ? 3 : 1;
+      runs[k].timed.push_back({{1, f, factors, factors}, held_up * (1e-3 + 1e-3 * f + 4e-3 * factors)});
+    }
+  }
+  const Costs costs(runs, {});
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const sim::StepCounts& c = counts[k];
+    const double expected = 1e-3 * c.steps + 1e-3 * c.force_evaluations + 4e-3 * c.linear;
+    EXPECT_NEAR(costs.seconds(runs[k]), expected, 1e-6 * expected) << k;
+  }
+  EXPECT_LT(costs.seconds(runs[0]), costs.seconds(runs[1]));
+  runs[0].which.settings = {{"body.0.mesh.refine", "1"}};
+  runs[0].timed.clear();
+  EXPECT_EQ(Costs(runs, {}).seconds(runs[0]), 2.5) << "nothing is known of its kind but its own time";
 }
 
 TEST(Advice, IsWrittenAsTables) {

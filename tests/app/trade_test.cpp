@@ -24,7 +24,7 @@ TEST_F(TradeTest, ErrorsFallAsTheoryAsksAndSchemesAreOrdered) {
   with.trade.keep_mesh = true;
   Trade trade(with, folder_ / "trade", no_clock, interrupt);
   ASSERT_TRUE(trade.measure(small_plan));
-  const Diagram diagram = trade.diagram();
+  const Diagram diagram = trade.diagram({});
   for (const Slope& slope : slopes(diagram.scores)) {
     if (slope.integrator == "linearly-implicit") continue;  // one Newton step: its order shows later
     EXPECT_NEAR(slope.slope, slope.order, 0.3) << slope.integrator;
@@ -158,16 +158,17 @@ TEST_F(TradeTest, LeavesAdviceThatIsASettingsFile) {
   ASSERT_EQ(trade(with), exit_done);
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_NE(said.find("Advice for an error of 5%: "), std::string::npos) << said;
-  EXPECT_NE(said.find("A fresh run found "), std::string::npos);
+  EXPECT_NE(said.find("; found "), std::string::npos);
   // With these settings the scene is the case that is advised, which keeps to the target.
   const std::string head = "Advice for an error of 5%: ";
   const std::size_t begin = said.find(head) + head.size();
-  const auto advised = rows(with.out).at(said.substr(begin, said.find(". ", begin) - begin));
+  const auto advised = rows(with.out).at(said.substr(begin, said.find('\n', begin) - begin));
   EXPECT_LE(std::stod(advised.at("error_bound")), 0.05);
   EXPECT_NE(advised.at("settings"), "") << "three steps a frame are more than that takes";
   Options applied = options();
   applied.settings = with.out / "advice.toml";
-  EXPECT_EQ(hexadecimal(case_id(make_comparison(options()), build_simulation(applied).identity)), advised.at("id"));
+  EXPECT_EQ(hexadecimal(case_id(make_comparison(options()), build_simulation(applied).identity, applied.threads)),
+            advised.at("id"));
   for (const char* file : {"trade.csv", "trade.json", "trade.gp", "plan.toml"})
     EXPECT_TRUE(std::filesystem::exists(with.out / file)) << file;
 }
@@ -189,7 +190,7 @@ TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
   const auto id = [&](const std::string& key, const std::string& value) {
     Options changed = options();
     if (!key.empty()) changed.overrides.push_back({key, value, key});
-    return case_id(comparison, build_simulation(changed).identity);
+    return case_id(comparison, build_simulation(changed).identity, changed.threads);
   };
   const std::uint64_t same = id("", "");
   EXPECT_EQ(id("title", "other"), same);
@@ -201,7 +202,7 @@ TEST_F(TradeTest, TheIdentityOfACaseFollowsWhatIsSimulated) {
     EXPECT_NE(id(key, value), same) << key;
   Comparison shorter = make_comparison(options());
   shorter.stretch = stretch_of(shorter, 6);
-  EXPECT_NE(case_id(shorter, shorter.scene.identity), same);
+  EXPECT_NE(case_id(shorter, shorter.scene.identity, shorter.options.threads), same);
 }
 
 TEST_F(TradeTest, RunsAreReadBackAsTheyWere) {

@@ -144,16 +144,6 @@ TEST(Explicit, TakesTheStepsThatStabilityNeeds) {
   EXPECT_TRUE(wild.state.x.allFinite()) << "the last good state is kept";
 }
 
-// Damping linearises with what it freezes at the start of a step: there must have been one.
-TEST(Explicit, TakesTheStepsThatStabilityNeedsWithDamping) {
-  Scene scene = test::beam("tet4", 1);
-  scene.time.integrator = "central-difference";
-  scene.time.substeps = 0;
-  const double undamped = System(scene).stable_step();
-  scene.bodies[0].damping = {0.1, 1e-5};
-  EXPECT_NEAR(System(scene).stable_step(), undamped, 1e-12 * undamped);
-}
-
 TEST(Pins, FollowTheirScriptAndLetGo) {
   Scene scene = test::beam("tet4", 1);
   Pin& pin = scene.bodies[0].pins[0];

@@ -1,0 +1,104 @@
+#include "app/trade/advice_text.h"
+
+#include "app/base/json.h"
+#include "app/base/text.h"
+#include "app/base/version.h"
+#include "app/trade/advice.h"
+#include "app/trade/table.h"
+
+namespace app {
+namespace {
+
+const std::optional<Apart>& whole_error(const Score& score) {
+  return score.total ? score.total : score.time ? score.time : score.model;
+}
+
+std::string seconds_text(double seconds) {
+  return formatted("%.3g s", seconds);
+}
+
+void add_apart(Json& json, std::string_view name, const std::optional<Apart>& apart) {
+  if (!apart) return;
+  json.key(name).open_object().member("rms", apart->rms).member("max", apart->max).member("pixels", apart->pixels);
+  json.close_object();
+}
+
+void add_score(Json& json, const Score& score) {
+  const CaseRun& run = *score.run;
+  json.open_object().member("case", run.which.label).key("settings").open_object();
+  for (const auto& [key, value] : run.which.settings) json.member(key, value);
+  json.close_object();
+  add_apart(json, "time_error", score.time);
+  add_apart(json, "mesh_error", score.mesh);
+  add_apart(json, "model_error", score.model);
+  add_apart(json, "total_error", score.total);
+  json.member("error_bound", score.bound.rms).member("seconds_per_second", score.seconds);
+  json.member("least_wall_seconds_per_second", run.work.least()).member("cpu_seconds_per_second", run.work.cpu);
+  json.close_object();
+}
+
+void add_references(Json& json, const References& references) {
+  const sim::ReferenceCheck& check = references.check;
+  json.key("reference").open_object();
+  if (references.time) json.member("case", references.time->which.label);
+  json.member("moved_by_halving", check.moved).member("second_scheme_apart", check.apart);
+  json.member("uncertainty", check.uncertainty).member("agrees", check.agrees);
+  json.member("horizon", check.horizon).member("chaotic", check.diverges);
+  if (references.mesh) json.member("finest_mesh", references.mesh->which.label);
+  json.member("total_uncertainty", references.total_uncertainty.rms).close_object();
+}
+
+}  // namespace
+
+std::string error_text(const Apart& apart) {
+  return percent(apart.rms) + " (" + formatted("%.2g", apart.pixels) + " px)";
+}
+
+std::string advice_text(const Measurement& m, const Advice& advice, const std::filesystem::path& settings) {
+  if (!advice.chosen) return "No advice: no error is known.\n";
+  const Score& chosen = *advice.chosen;
+  std::string text;
+  if (!meets(chosen, m.goal))
+    text += "note: nothing that was measured is within " + m.goal.text + "; this comes nearest\n";
+  if (m.comparison.shortened())
+    text += "note: this holds for the first " + seconds_text(m.comparison.seconds()) +
+            ", not for the whole scene: errors grow with time\n";
+  if (!chosen.total) text += "note: the error is that of time alone: no mesh error is known\n";
+  if (advice.own && whole_error(*advice.own))
+    text += "The scene as it is: " + error_text(*whole_error(*advice.own)) + ", " + seconds_text(advice.own->seconds) +
+            " per simulated second\n";
+  text += "Advice for " + m.goal.text + ": " + chosen.run->which.label + "\n";
+  text += "  predicted " + error_text(*whole_error(chosen)) + ", at most " + percent(chosen.bound.rms) + ", " +
+          seconds_text(chosen.seconds) + " per simulated second; found " + error_text(*whole_error(advice.found)) +
+          ", " + seconds_text(advice.fresh->work.least()) + " (CPU " + seconds_text(advice.fresh->work.cpu) + ")\n";
+  text += "  ritz record " + m.comparison.options.scene.string() + " --settings " + settings.string();
+  for (const auto& [key, value] : chosen.run->which.settings)
+    if (key == thread_option) text += " " + key + " " + value;
+  return text + "\n";
+}
+
+std::string trade_json(Measurement& m, const Plan& plan, const Advice& advice) {
+  const std::vector<const Score*> scores = m.scores();
+  Json json;
+  json.open_object().member("scene", m.comparison.options.scene.string());
+  json.member("version", ritz_version).member("goal", m.goal.text);
+  json.member("compared_seconds", m.comparison.seconds()).member("depth", plan.depth);
+  add_references(json, m.scorer.references());
+  json.key("notes").open_array();
+  for (const std::string& note : m.notes) json.value(note);
+  json.close_array().key("seconds_spent").open_object();
+  for (const auto& [phase, seconds] : m.spent) json.member(phase, seconds);
+  json.close_object().key("orders").open_object();
+  for (const Slope& slope : slopes(scores)) json.member(slope.integrator, slope.slope);
+  json.close_object();
+  if (advice.chosen) {
+    add_score(json.key("advice"), *advice.chosen);
+    add_score(json.key("found"), advice.found);
+  }
+  json.key("cases").open_array();
+  for (const Score* score : scores) add_score(json, *score);
+  json.close_array().close_object();
+  return json.text();
+}
+
+}  // namespace app
