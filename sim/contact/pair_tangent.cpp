@@ -8,9 +8,6 @@ namespace sim {
 
 namespace {
 
-// Nearer than this part of the primitives' size, the curvature of the distance changes the clamp by less than 4e-3.
-constexpr double near = 0.01;
-
 template <int N>
 Eigen::Matrix<double, N, N> clamp(const Eigen::Matrix<double, N, N>& A) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(A);
@@ -54,8 +51,6 @@ PairMatrix without_negative_part(const PairMatrix& A) {
 PairMatrix pair_tangent(const Distance& at, double first, double second, Definiteness fix) {
   const PairVector g = at.gradient();
   if (fix == Definiteness::none) return second * g * g.transpose() + first * at.hessian();
-  const double size2 = at.parameters == 0 ? 0 : at.w_k[0].squaredNorm();
-  if (at.d * at.d < near * near * size2) return second * g * g.transpose();
   const Vec3 t0 = at.n.unitOrthogonal(), t[2] = {t0, at.n.cross(t0)};
   const Range V = range_of(at, t);
   const Small S = in_range(at, t, first, second);

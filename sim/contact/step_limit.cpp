@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 
@@ -10,24 +11,44 @@ Nearest nearest(PairKind kind, const Vec3* x) {
   return kind == PairKind::point_triangle ? nearest_point_triangle(x) : nearest_edge_edge(x);
 }
 
-double step_limit(PairKind kind, const Vec3* x, const Vec3* dx, double xi, double most) {
-  constexpr double advance = 0.9, kept = 0.1;
-  constexpr int most_iterations = 64;  // what was reached until then is safe
+namespace {
+
+// From the closest point of the second primitive to that of the first.
+Vec3 direction_between(PairKind kind, const Vec3* x, const Nearest& at) {
+  Vec3 near[4];
+  for (int i = 0; i < node_count(at.feature); ++i) near[i] = x[at.node[i]];
+  const Vec3 n = Distance(at.feature, near).n;
+  return n.dot(x[0] - x[first_count(kind)]) < 0 ? Vec3(-n) : n;
+}
+
+// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second.
+double advance_to(PairKind kind, const Vec3* x, const Vec3* dx, const Vec3& n, double left) {
   const int nodes = node_count(kind), first = first_count(kind);
-  double L2 = 0;
+  double a = std::numeric_limits<double>::infinity();
   for (int i = 0; i < first; ++i)
-    for (int j = first; j < nodes; ++j) L2 = std::max(L2, (dx[i] - dx[j]).squaredNorm());
-  if (L2 == 0) return most;
-  const double L = std::sqrt(L2), gap_0 = nearest(kind, x).d - xi;
-  double a = 0, gap = gap_0;
+    for (int j = first; j < nodes; ++j)
+      if (const double fall = n.dot(dx[j] - dx[i]); fall > 0) a = std::min(a, (n.dot(x[i] - x[j]) - left) / fall);
+  return a;
+}
+
+}  // namespace
+
+double step_limit(PairKind kind, const Vec3* x, const Vec3* dx, double least, double most) {
+  constexpr double kept = 0.1;
+  constexpr int most_iterations = 64;  // what was reached until then is safe
+  const int nodes = node_count(kind);
+  Nearest at = nearest(kind, x);
+  const double gap_0 = at.d - least;
   Vec3 y[4];
+  std::copy(x, x + nodes, y);
+  double a = 0;
   for (int k = 0; k < most_iterations; ++k) {
-    const double next = a + advance * gap / L;
-    if (next >= most) return most;
+    const double next = a + advance_to(kind, y, dx, direction_between(kind, y, at), least + kept * (at.d - least));
+    if (!(next < most)) return most;
     for (int i = 0; i < nodes; ++i) y[i] = x[i] + next * dx[i];
-    gap = nearest(kind, y).d - xi;
+    at = nearest(kind, y);
     // The first advance always counts, so that nothing is stuck where it starts.
-    if (a > 0 && gap < kept * gap_0) return a;
+    if (a > 0 && at.d - least < kept * gap_0) return a;
     a = next;
   }
   return a;

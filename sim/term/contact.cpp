@@ -12,6 +12,10 @@ namespace sim {
 namespace {
 
 constexpr double margin = 1e-3;  // of the reach: round-off of a way, and small moves without a new search
+// Of a gap, or of the barrier's width where that is less, a move leaves so much. What slides along a curved surface
+// leaves it, or runs into it, by the square of its way: where moves end close to a surface, those after them are short,
+// while the barrier's tangent opens a gap to no more than twice its width at a time.
+constexpr double kept_gap = 0.2;
 
 }  // namespace
 
@@ -303,7 +307,9 @@ double ContactTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx
       x[i] = s.x.col(points[i]);
       p[i] = s.way.col(points[i]);
     }
-    least = std::min(least, step_limit(candidate.kind, x, p, in_.couples[candidate.couple].xi, part));
+    const Couple& couple = in_.couples[candidate.couple];
+    const double gap = sim::nearest(candidate.kind, x).d - couple.xi;
+    least = std::min(least, step_limit(candidate.kind, x, p, couple.xi + kept_gap * std::min(gap, couple.dh), part));
   }
   return least;
 }
