@@ -6,7 +6,7 @@
 #include <map>
 
 #include "app/base/text.h"
-#include "app/trade/advice.h"
+#include "sim/study/front.h"
 
 namespace app {
 namespace {
@@ -75,11 +75,18 @@ class Maker {
     return all;
   }
 
+  // Of what is drawn here, those that nothing beats in both.
   std::vector<Dot> front() const {
     std::vector<Dot> dots;
-    for (const Score* score : front_of(diagram_.scores))
-      if (const auto point = dot(*score, "")) dots.push_back(*point);
-    return dots;
+    std::vector<sim::WorkError> points;
+    for (const Score* score : diagram_.scores)
+      if (const auto point = dot(*score, "")) {
+        dots.push_back(*point);
+        points.push_back({point->seconds, point->error});
+      }
+    std::vector<Dot> members;
+    for (const int k : sim::front(points)) members.push_back(dots[k]);
+    return members;
   }
 
   // The median of what is known of both.

@@ -15,7 +15,10 @@ std::string kind_of(const CaseRun& run) {
   std::map<std::string, std::string> sorted;
   for (const auto& [key, value] : run.which.settings)
     if (!changes_counts_only(key)) sorted[key] = value;
-  std::string kind = run.work.newton > 0 ? "implicit" : "explicit";
+  constexpr double iterations = 4;  // for each system: a direct solve counts one
+  std::string kind = !(run.work.newton > 0)                           ? "explicit"
+                     : run.work.linear > iterations * run.work.newton ? "iterative"
+                                                                      : "direct";
   for (const auto& [key, value] : sorted) kind += ";" + key + "=" + value;
   return kind;
 }
@@ -26,9 +29,12 @@ Costs::Costs(const std::deque<CaseRun>& runs, const TimedKinds& anew) {
     std::vector<sim::TimedStep>& steps = all[kind_of(run)];
     steps.insert(steps.end(), run.timed.begin(), run.timed.end());
   }
-  for (const auto& [kind, steps] : anew) all[kind] = steps;
-  for (const auto& [kind, steps] : all)
-    if (!steps.empty()) kinds_[kind] = sim::unit_costs(steps);
+  for (const auto& [kind, steps] : all) {
+    if (steps.empty()) continue;
+    const sim::UnitCosts costs = sim::unit_costs(steps);
+    const auto again = anew.find(kind);
+    kinds_[kind] = again == anew.end() ? costs : costs * sim::pace(again->second, costs);
+  }
 }
 
 double Costs::seconds(const CaseRun& run) const {

@@ -10,7 +10,8 @@
 namespace app {
 
 // Runs of one kind have the same bodies, linear solver and threads: a force evaluation, a factorisation, a linear
-// iteration takes as long in each.
+// iteration takes as long in each. Where a solver chooses by itself, those that iterate are not those that factorise:
+// there an iteration is something else.
 std::string kind_of(const CaseRun& run);
 
 // Steps that were timed anew, by kind.
@@ -21,7 +22,7 @@ using TimedKinds = std::map<std::string, std::vector<sim::TimedStep>>;
 class Costs {
  public:
   Costs() = default;
-  // From the timed steps of all runs; of a kind that was timed anew from those steps alone.
+  // From the timed steps of all runs; of a kind that was timed anew at the pace of those steps.
   Costs(const std::deque<CaseRun>& runs, const TimedKinds& anew);
 
   // Wall seconds per simulated second; the least that the run took where no step was timed.

@@ -34,6 +34,23 @@ std::string range(const char* axis, const AxisRange& range) {
   return formatted("set %srange [%.6g:%.6g]\n", axis, range.low, range.high);
 }
 
+// Numbers at 1 of every decade, at more where there are few decades.
+std::string tics(const char* axis, const AxisRange& range) {
+  const double decades = std::log10(range.high / range.low);
+  const std::vector<double> digits = decades > 2.2   ? std::vector<double>{1}
+                                     : decades > 0.9 ? std::vector<double>{1, 2, 5}
+                                                     : std::vector<double>{1, 2, 3, 4, 5, 6, 8};
+  std::string text = std::string("set ") + axis + "tics nomirror (";
+  bool first = true;
+  for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10)
+    for (const double digit : digits) {
+      if (!range.holds(digit * decade)) continue;
+      text += formatted("%s'%g' %g", first ? "" : ", ", digit * decade, digit * decade);
+      first = false;
+    }
+  return text + ")\n";
+}
+
 std::string axes(const Chart& chart) {
   std::string text = "set logscale xy\nset border lw 2\n" + range("x", chart.seconds) + range("y", chart.error);
   text += formatted(
@@ -41,10 +58,12 @@ std::string axes(const Chart& chart) {
       "screen %.4f\n",
       axes_left / chart_width, axes_right / chart_width, axes_below / chart_height, axes_above / chart_height);
   text += "set ylabel '% of the size' offset 0.5,0\n";
-  text += "set format xy '%g'\nset ytics nomirror\nset grid lc rgb '#cccccc' lw 1 dt 1\n";
-  if (chart.pixels > 0)
-    text += "set logscale y2\nset format y2 '%g'\nset y2tics\nset y2label 'pixels at 1080p' offset -1.8,0\n" +
-            range("y2", {chart.pixels * chart.error.low, chart.pixels * chart.error.high});
+  text += tics("x", chart.seconds) + tics("y", chart.error) + "set grid lc rgb '#cccccc' lw 1 dt 1\n";
+  if (chart.pixels > 0) {
+    const AxisRange pixels{chart.pixels * chart.error.low, chart.pixels * chart.error.high};
+    text += "set logscale y2\n" + tics("y2", pixels) + "set y2label 'pixels at 1080p' offset -1.2,0\n" +
+            range("y2", pixels);
+  }
   return text + "set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.6 spacing 1.1 " +
          font(small_letters) + "\n";
 }

@@ -156,17 +156,22 @@ void Search::rest() {
 }
 
 // The kinds of runs among which the advice is chosen are timed anew, all in the same minute: what the machine did while
-// they were measured is forgotten.
+// they were measured is forgotten. A front that changes by it may have other kinds on it, which are timed then.
 void Search::calibrate() {
   const Spending spending(m_, "timing");
-  constexpr double part = 0.01, most = 0.5;  // of the time; s
-  std::vector<const Score*> wanted = front_of(m_.scores());
-  wanted.push_back(&m_.scorer.score(m_.notebook.run(scene_case(), 0)));
-  for (const Score* score : wanted) {
-    const std::string kind = kind_of(*score->run);
-    if (score->run->status != CaseStatus::done || m_.timed_anew.contains(kind)) continue;
-    auto steps = m_.notebook.time_steps(*score->run, std::min(most, part * m_.notebook.seconds()));
-    if (!steps.empty()) m_.timed_anew[kind] = std::move(steps);
+  constexpr double part = 0.01, longest = 0.5;  // of the time; s
+  constexpr std::size_t most_kinds = 12;
+  for (bool more = true; more && m_.timed_anew.size() < most_kinds;) {
+    more = false;
+    std::vector<const Score*> wanted = front_of(m_.scores());
+    wanted.push_back(&m_.scorer.score(m_.notebook.run(scene_case(), 0)));
+    if (const Score* const best = choose(m_.scores(), m_.goal)) wanted.push_back(best);
+    for (const Score* score : wanted) {
+      const std::string kind = kind_of(*score->run);
+      if (score->run->status != CaseStatus::done || m_.timed_anew.contains(kind)) continue;
+      m_.timed_anew[kind] = m_.notebook.time_steps(*score->run, std::min(longest, part * m_.notebook.seconds()));
+      more = true;
+    }
   }
 }
 

@@ -35,7 +35,7 @@ render::Image tiled(const std::vector<std::vector<render::Image>>& rows) {
 
 // The name of a run must not be too long for its picture.
 std::string fitting(const std::string& text) {
-  constexpr std::size_t most = 44;
+  constexpr std::size_t most = 40;
   return text.size() <= most ? text : text.substr(0, most - 3) + "...";
 }
 
@@ -70,18 +70,22 @@ class Column {
     moment.state = system_.initial_state();
     moment.state.step = step;
     moment.state.x.head(shown_.run->path.x[k].size()) = shown_.run->path.x[k];
-    return picture_.frame(moment);
+    render::Frame frame = picture_.frame(moment);
+    frame.look.lecture = true;  // small pictures, large letters
+    frame.look.legend = false;  // of the same colours in each
+    return frame;
   }
 
   // The same bodies, coloured by how many pixels they are away.
-  void colour(int k, double reach, render::Frame& frame) const {
+  void colour(int k, double reach, bool with_legend, render::Frame& frame) const {
+    frame.look.legend = with_legend;
     frame.scale = render::ColourScale{"magma", 0, static_cast<float>(reach), "away from the reference", "px"};
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       const sim::BodyRange& body = system_.bodies()[i];
       frame.surfaces[i].values = surfaces_[i].values(apart_[k].segment(body.first_node, body.node_count));
     }
     frame.title.clear();
-    frame.caption = formatted("at most %.2g px", apart_[k].maxCoeff());
+    frame.caption = formatted("at most %.3g px", apart_[k].maxCoeff());
   }
 
  private:
@@ -118,7 +122,7 @@ render::Image drawn(const std::deque<Column>& columns, int k, std::int64_t step,
     if (!camera) camera = frame.camera;
     frame.camera = *camera;
     rows[0].push_back(renderer.draw(frame));
-    column.colour(k, reach, frame);
+    column.colour(k, reach, &column == &columns.back(), frame);
     rows[1].push_back(renderer.draw(frame));
   }
   return tiled(rows);

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr double run_share = 0.4;     // of the time that is left: one run
+constexpr double run_share = 0.4;      // of the time that is left: one run
 constexpr int most_substeps = 64;      // steps a frame
 constexpr double follows_order = 0.3;  // of the size: larger errors follow no order
 

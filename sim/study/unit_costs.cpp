@@ -17,7 +17,7 @@ Row row_of(const TimedStep& step) {
 }
 
 // Least squares with no negative cost: the best of all sets of kinds that may cost something, each solved by itself.
-Eigen::Vector4d fitted(const std::vector<TimedStep>& steps) {
+UnitCosts fitted(const std::vector<TimedStep>& steps) {
   Eigen::MatrixXd A(steps.size(), kinds);
   for (std::size_t k = 0; k < steps.size(); ++k) A.row(static_cast<Eigen::Index>(k)) = row_of(steps[k]);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(A.rows());
@@ -34,19 +34,20 @@ Eigen::Vector4d fitted(const std::vector<TimedStep>& steps) {
     least = residual;
     best = u.cwiseMax(0);
   }
-  return best;
+  return {best[0], best[1], best[2], best[3]};
 }
 
-// By how much the steps took longer than the costs say; a quarter of them took less than this.
-double low_quarter(const std::vector<TimedStep>& steps, const Eigen::Vector4d& u) {
+}  // namespace
+
+double pace(std::span<const TimedStep> steps, const UnitCosts& costs) {
   std::vector<double> ratios;
-  for (const TimedStep& step : steps) ratios.push_back(1 / row_of(step).dot(u));
+  for (const TimedStep& step : steps)
+    if (step.seconds > 0 && costs.of(step.counts) > 0) ratios.push_back(step.seconds / costs.of(step.counts));
+  if (ratios.empty()) return 1;
   const auto quarter = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 4);
   std::nth_element(ratios.begin(), quarter, ratios.end());
   return *quarter;
 }
-
-}  // namespace
 
 UnitCosts unit_costs(std::span<const TimedStep> steps) {
   constexpr double held_up = 1.25;
@@ -54,12 +55,11 @@ UnitCosts unit_costs(std::span<const TimedStep> steps) {
   for (const TimedStep& step : steps)
     if (step.seconds > 0) used.push_back(step);
   if (used.empty()) return {};
-  Eigen::Vector4d u = fitted(used);
-  const double limit = held_up * low_quarter(used, u);
-  std::erase_if(used, [&](const TimedStep& step) { return 1 / row_of(step).dot(u) > limit; });
-  u = fitted(used);
-  u *= low_quarter(used, u);
-  return {u[0], u[1], u[2], u[3]};
+  UnitCosts costs = fitted(used);
+  const double limit = held_up * pace(used, costs);
+  std::erase_if(used, [&](const TimedStep& step) { return step.seconds > limit * costs.of(step.counts); });
+  costs = fitted(used);
+  return costs * pace(used, costs);
 }
 
 }  // namespace sim

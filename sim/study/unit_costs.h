@@ -19,6 +19,9 @@ struct TimedStep {
 struct UnitCosts {
   double step = 0, force_evaluation = 0, factorisation = 0, linear = 0;
 
+  UnitCosts operator*(double factor) const {
+    return {factor * step, factor * force_evaluation, factor * factorisation, factor * linear};
+  }
   double of(const StepCounts& counts) const {
     return step * counts.steps + force_evaluation * counts.force_evaluations + factorisation * counts.factorisations +
            linear * counts.linear;
@@ -29,5 +32,8 @@ struct UnitCosts {
 // them, then over those that were not held up; scaled so that a quarter of the steps were faster. Other programs can
 // only make a step slower, so the fast ones tell what it costs by itself. All zero without steps.
 UnitCosts unit_costs(std::span<const TimedStep> steps);
+
+// How many times longer than these costs say the steps took; a quarter of them took less. 1 without steps.
+double pace(std::span<const TimedStep> steps, const UnitCosts& costs);
 
 }  // namespace sim

@@ -34,13 +34,12 @@ set rmargin at screen 0.6641
 set bmargin at screen 0.2083
 set tmargin at screen 0.8750
 set ylabel '% of the size' offset 0.5,0
-set format xy '%g'
-set ytics nomirror
+set xtics nomirror ('0.1' 0.1, '1' 1)
+set ytics nomirror ('0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10)
 set grid lc rgb '#cccccc' lw 1 dt 1
 set logscale y2
-set format y2 '%g'
-set y2tics
-set y2label 'pixels at 1080p' offset -1.8,0
+set y2tics nomirror ('0.1' 0.1, '1' 1, '10' 10, '100' 100)
+set y2label 'pixels at 1080p' offset -1.2,0
 set y2range [0.0920032:129.198]
 set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.6 spacing 1.1 font ',23'
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.02 fc rgb '#d8d8d8' fs solid noborder behind
@@ -89,13 +88,12 @@ set rmargin at screen 0.6641
 set bmargin at screen 0.2083
 set tmargin at screen 0.8750
 set ylabel '% of the size' offset 0.5,0
-set format xy '%g'
-set ytics nomirror
+set xtics nomirror ('0.1' 0.1, '1' 1)
+set ytics nomirror ('0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10)
 set grid lc rgb '#cccccc' lw 1 dt 1
 set logscale y2
-set format y2 '%g'
-set y2tics
-set y2label 'pixels at 1080p' offset -1.8,0
+set y2tics nomirror ('0.1' 0.1, '1' 1, '10' 10, '100' 100)
+set y2label 'pixels at 1080p' offset -1.2,0
 set y2range [0.0920032:129.198]
 set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.6 spacing 1.1 font ',23'
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.02 fc rgb '#d8d8d8' fs solid noborder behind
