@@ -22,6 +22,10 @@ enum class OnFailure { split, accept, stop };
 
 enum class MassMatrix { lumped, consistent };
 
+// What the vectors of a basis are: vibration modes, modes and what they change of each other, or what a run went
+// through.
+enum class BasisKind { modes, derivatives, snapshots };
+
 template <class E>
 struct Choice {
   E value;
@@ -52,6 +56,10 @@ inline constexpr auto choices<OnFailure> = std::to_array<Choice<OnFailure>>({{On
 template <>
 inline constexpr auto choices<MassMatrix> = std::to_array<Choice<MassMatrix>>({{MassMatrix::lumped, "lumped"},
                                                                                {MassMatrix::consistent, "consistent"}});
+template <>
+inline constexpr auto choices<BasisKind> = std::to_array<Choice<BasisKind>>({{BasisKind::derivatives, "derivatives"},
+                                                                             {BasisKind::modes, "modes"},
+                                                                             {BasisKind::snapshots, "snapshots"}});
 
 template <class E>
 constexpr std::string_view name_of(E value) {

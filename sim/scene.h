@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -123,6 +124,32 @@ struct Start {
   int mode = 1;                        // "mode": number of the vibration mode, the slowest is 1
 };
 
+// Elements that stand for all of a body, and how often each counts.
+struct Cubature {
+  std::vector<int> elements;  // numbers in the body's mesh, rising
+  std::vector<double> weights;
+  double error = 0;  // of the reduced forces at the states of the training, a share of them
+  int states = 0;    // of the training
+};
+
+// The vectors of a basis, as sim/study/basis.h makes them.
+struct BasisVectors {
+  Eigen::MatrixXd U;  // D numbers for each node of the body x vectors; U^T M U = 1
+  int modes = 0;      // of these, the first vectors that are vibration modes
+  std::optional<Cubature> cubature;
+};
+
+// A body that moves in a few numbers: x = X + U c.
+struct Basis {
+  BasisKind kind = BasisKind::derivatives;
+  int count = 20;       // vectors
+  double cubature = 0;  // error of the forces that is asked for, a share of them; 0: all elements are summed
+  // x - X at some times of a run [m], D numbers per node x times: what "snapshots" are made of, and a cubature is
+  // trained on.
+  std::shared_ptr<const Eigen::MatrixXd> snapshots;
+  std::shared_ptr<const BasisVectors> vectors;
+};
+
 struct Body {
   std::string name;
   Mesh mesh;                            // already placed (translate, rotate, scale applied)
@@ -135,6 +162,7 @@ struct Body {
   Vec3 velocity = {0, 0, 0};  // m/s, initial
   Spin spin;
   Start start;
+  std::optional<Basis> basis;
   double untangle = 0;  // strength of the pull that undoes inversions and folds: sim/term/untangle.h; 0: none
 };
 

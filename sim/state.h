@@ -23,6 +23,13 @@ struct KeptFactor {
   Eigen::VectorXd x, v;              // where it was linearised
 };
 
+// Where a system that moves in a basis is in it: x = X + U c. Empty without one.
+struct Coordinates {
+  Eigen::VectorXd c, rate;                // m sqrt(kg), and per second
+  Eigen::VectorXd c_before, rate_before;  // of the step before; empty until there is one
+  Eigen::VectorXd force;                  // U^T f that the last stage balanced; empty: to be evaluated
+};
+
 struct State {
   std::int64_t step = 0;               // completed steps; the time is System::time(step)
   Eigen::VectorXd x, v;                // positions [m] and velocities [m/s], D numbers per node, node by node
@@ -34,11 +41,13 @@ struct State {
   std::int64_t parts = 1;   // explicit schemes: how many a step is taken in (sim/time/step_watch.h)
   Eigen::VectorXd fastest;  // ... and the shape of the vibration that asks for them; empty: not watched yet
   KeptFactor kept;
+  Coordinates coordinates;
 };
 
-// Calls f(field) for every number and vector of a state, in a fixed order: what is saved, compared and hashed.
+// Calls f(field) for every number and vector, in a fixed order: what is saved, compared and hashed. Of a state without
+// its coordinates, of coordinates, and of both.
 template <class S, class F>
-void for_each_field(S& state, const F& f) {
+void for_each_nodal_field(S& state, const F& f) {
   f(state.step);
   f(state.x);
   f(state.v);
@@ -64,6 +73,19 @@ void for_each_field(S& state, const F& f) {
   f(k.v_begin);
   f(k.x);
   f(k.v);
+}
+template <class Q, class F>
+void for_each_coordinate_field(Q& q, const F& f) {
+  f(q.c);
+  f(q.rate);
+  f(q.c_before);
+  f(q.rate_before);
+  f(q.force);
+}
+template <class S, class F>
+void for_each_field(S& state, const F& f) {
+  for_each_nodal_field(state, f);
+  for_each_coordinate_field(state.coordinates, f);
 }
 
 // FNV-1a over every bit of the state: equal states, equal hash.

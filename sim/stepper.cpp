@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/build/parts.h"
+#include "sim/reduce/reduced_stepper.h"
 #include "sim/time/explicit.h"
 #include "sim/time/implicit.h"
 
@@ -30,6 +31,7 @@ class Unheld final : public Stepper {
 std::unique_ptr<Stepper> make_stepper(const System& system, int threads) {
   const Parts& parts = parts_of(system);
   if (!parts.no_equilibrium.empty()) return std::make_unique<Unheld>(parts.no_equilibrium);
+  if (parts.reduction) return std::make_unique<ReducedStepper>(parts.model, *parts.reduction, *parts.scheme, threads);
   if (parts.scheme->is_explicit()) return std::make_unique<ExplicitStepper>(parts.model, *parts.scheme, threads);
   return std::make_unique<ImplicitStepper>(parts.model, *parts.scheme, threads);
 }
@@ -38,7 +40,10 @@ std::unique_ptr<Stepper> make_stepper(const System& system, int threads) {
 // beam-cost.toml of 8,000 1.0, of 25,000 1.15, of 57,000 1.3.
 int useful_threads(const System& system, int threads) {
   constexpr Eigen::Index dofs_each = 10000;
-  return static_cast<int>(std::clamp<Eigen::Index>(parts_of(system).model.dofs() / dofs_each, 1, threads));
+  const Parts& parts = parts_of(system);
+  const bool sampled = parts.reduction && parts.reduction->sample;
+  const Eigen::Index dofs = sampled ? parts.reduction->sample->lift->dofs() : parts.model.dofs();
+  return static_cast<int>(std::clamp<Eigen::Index>(dofs / dofs_each, 1, threads));
 }
 
 }  // namespace sim

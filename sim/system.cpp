@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "sim/build/build.h"
+#include "sim/build/reduction.h"
 #include "sim/build/warnings.h"
 #include "sim/solve/contact_pressure.h"
 #include "sim/solve/linear_solver.h"
@@ -43,7 +44,7 @@ std::vector<std::string> System::remarks() const {
   return all;
 }
 double System::stable_step() const {
-  return sim::stable_step(parts_->model);
+  return sim::stable_step(parts_->moving());
 }
 std::vector<int> System::pinned_nodes(double t) const {
   std::vector<int> nodes = parts_->model.pins.nodes(t);
@@ -54,6 +55,8 @@ std::vector<int> System::pinned_nodes(double t) const {
 std::vector<TermInfo> System::terms() const {
   std::vector<TermInfo> all;
   for (const auto& term : parts_->model.terms) all.push_back(term->info());
+  for (const Body& body : parts_->model.bodies)
+    if (body.basis) all.push_back(basis_info(body, parts_->model.D));
   return all;
 }
 
@@ -129,6 +132,7 @@ State System::initial_state() const {
     }
   }
   parts_->model.pins.prescribe(0, state.x, state.v);
+  if (parts_->reduction) parts_->reduction->enter(state);
   return state;
 }
 

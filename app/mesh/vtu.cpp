@@ -107,6 +107,17 @@ void append(const Cursor& in, VtkGrid& grid, const VtkGrid& piece) {
 
 }  // namespace
 
+std::vector<double> read_vtu_points(std::string_view content, std::string_view name) {
+  Cursor in(content, name);
+  const VtuArrays arrays = find_arrays(in);
+  std::vector<double> points;
+  for (const std::vector<VtuArray>& piece : arrays.pieces)
+    for (const auto& [around, tag] : piece)
+      if (around == "Points") append(points, read_vtu_array<double>(in, tag, arrays.coding));
+  if (points.empty() || points.size() % 3 != 0) in.fail("the points are not three numbers each");
+  return points;
+}
+
 sim::Mesh read_vtu(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name);
   const VtuArrays arrays = find_arrays(in);

@@ -16,7 +16,8 @@ RunStart make_start(const Simulation& simulation, const RunFolder& folder, bool 
   if (!resume) return start;
   const std::string file = folder.state().string();
   SavedRun saved = read_state_file(folder.state());
-  if (saved.scene != simulation.identity || saved.state.x.size() != start.run.state.x.size()) {
+  if (saved.scene != simulation.identity || saved.state.x.size() != start.run.state.x.size() ||
+      saved.state.coordinates.c.size() != start.run.state.coordinates.c.size()) {
     throw std::runtime_error(file +
                              ": is the state of another scene (mesh, material, forces, time step or solver "
                              "differ); resume with the scene and the settings it was recorded with");

@@ -12,7 +12,8 @@ namespace app {
 namespace {
 
 constexpr std::string_view magic = "RITZSTAT";
-constexpr std::uint32_t format = 7;
+// Of states of nodes alone, and of those that have coordinates in a basis as well.
+constexpr std::uint32_t format = 7, format_with_coordinates = 8;
 constexpr std::size_t checksum_bytes = 8;
 
 template <typename Unsigned>
@@ -95,11 +96,19 @@ void take_field(Reader& reader, double& value) {
   value = reader.real();
 }
 
+bool plausible(const sim::Coordinates& coordinates) {
+  bool good = true;
+  for_each_coordinate_field(coordinates, [&](const Eigen::VectorXd& field) {
+    good = good && field.allFinite() && (field.size() == 0 || field.size() == coordinates.c.size());
+  });
+  return good && coordinates.rate.size() == coordinates.c.size();
+}
+
 bool plausible(const sim::State& state) {
   bool good = state.step >= 0 && state.parts >= 1 && state.v.size() == state.x.size() &&
               std::abs(state.kept.definiteness) <= 1 && state.kept.what >= 0 &&
-              state.kept.what <= static_cast<int>(sim::Kept::coarse);
-  for_each_field(state, [&](const auto& field) {
+              state.kept.what <= static_cast<int>(sim::Kept::coarse) && plausible(state.coordinates);
+  for_each_nodal_field(state, [&](const auto& field) {
     if constexpr (requires { field.allFinite(); })
       good = good && field.allFinite() && (field.size() == 0 || field.size() == state.x.size());
     else
@@ -116,13 +125,16 @@ bool plausible(const sim::State& state) {
 std::string encode(const SavedRun& run) {
   const sim::State& state = run.state;
   std::string bytes(magic);
-  put(bytes, format);
+  const bool reduced = state.coordinates.c.size() > 0;
+  put(bytes, reduced ? format_with_coordinates : format);
   put(bytes, run.scene);
   for (const std::int64_t count : {run.totals.newton, run.totals.linear, run.totals.not_converged, run.totals.splits})
     put(bytes, count);
   put(bytes, run.totals.min_J);
   for (const double value : run.totals.largest) put(bytes, value);
-  for_each_field(state, [&](const auto& field) { put_field(bytes, field); });
+  const auto put_it = [&](const auto& field) { put_field(bytes, field); };
+  for_each_nodal_field(state, put_it);
+  if (reduced) for_each_coordinate_field(state.coordinates, put_it);
   put(bytes, sim::checksum(bytes));
   return bytes;
 }
@@ -131,8 +143,9 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
   Reader reader(bytes, name);
   if (reader.take(magic.size()) != magic) reader.fail("does not begin with RITZSTAT: not a state file");
   const auto version = reader.number<std::uint32_t>();
-  if (version != format) {
-    reader.fail("has version " + std::to_string(version) + ", this program reads " + std::to_string(format));
+  if (version != format && version != format_with_coordinates) {
+    reader.fail("has version " + std::to_string(version) + ", this program reads " + std::to_string(format) + " and " +
+                std::to_string(format_with_coordinates));
   }
   SavedRun run;
   run.scene = reader.number<std::uint64_t>();
@@ -141,7 +154,9 @@ SavedRun decode(std::string_view bytes, const std::string& name) {
   }
   run.totals.min_J = reader.real();
   for (double& value : run.totals.largest) value = reader.real();
-  for_each_field(run.state, [&](auto& field) { take_field(reader, field); });
+  const auto take_it = [&](auto& field) { take_field(reader, field); };
+  for_each_nodal_field(run.state, take_it);
+  if (version == format_with_coordinates) for_each_coordinate_field(run.state.coordinates, take_it);
   if (reader.left() != checksum_bytes) reader.fail("has the wrong length");
   const std::uint64_t expected = sim::checksum(bytes.substr(0, bytes.size() - checksum_bytes));
   if (reader.number<std::uint64_t>() != expected) reader.fail("is damaged (wrong checksum)");

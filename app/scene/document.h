@@ -22,7 +22,8 @@ struct Document {
   std::vector<MeshSpec> meshes;               // body by body: the description that scene.bodies[i].mesh was made from
   std::vector<ObstacleMesh> obstacle_meshes;  // obstacle by obstacle
   std::vector<std::filesystem::path> start_files;  // body by body: that scene.bodies[i].start.nodes came from; or empty
-  std::vector<std::optional<Vec3>> references;     // probe by probe: the displacement it should have at the end [m]
+  std::vector<std::filesystem::path> basis_folders;  // body by body: the run whose states its basis has; or empty
+  std::vector<std::optional<Vec3>> references;       // probe by probe: the displacement it should have at the end [m]
   Camera camera;
   Look look;
   std::vector<ExhibitSpec> exhibits;

@@ -12,8 +12,8 @@ namespace {
 std::vector<Key> make_keys() {
   std::vector<Key> table;
   for (const auto part :
-       {time_keys, solver_keys, world_keys, body_keys, start_keys, mesh_keys, material_keys, pin_keys, load_keys,
-        obstacle_keys, contact_keys, spring_keys, probe_keys, camera_keys, look_keys, exhibit_keys}) {
+       {time_keys, solver_keys, world_keys, body_keys, start_keys, basis_keys, mesh_keys, material_keys, pin_keys,
+        load_keys, obstacle_keys, contact_keys, spring_keys, probe_keys, camera_keys, look_keys, exhibit_keys}) {
     append(table, part());
   }
   for (Key& key : table) {

@@ -7,6 +7,7 @@
 #include "app/mesh/positions.h"
 #include "app/scene/scene_checks.h"
 #include "app/scene/scene_items.h"
+#include "app/scene/snapshots.h"
 #include "sim/element/element.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/input_error.h"
@@ -98,6 +99,21 @@ void read_starts(Document& document, const std::filesystem::path& folder, Mistak
   }
 }
 
+void read_bases(Document& document, const std::filesystem::path& folder, Mistakes& mistakes) {
+  for (std::size_t i = 0; i < document.basis_folders.size(); ++i) {
+    std::filesystem::path& from = document.basis_folders[i];
+    if (from.empty() || !document.scene.bodies[i].basis) continue;
+    from = folder / from;
+    mistakes.collect([&] {
+      try {
+        document.scene.bodies[i].basis->snapshots = read_snapshots(from, document.scene, i);
+      } catch (const FileError& error) {
+        throw sim::InputError("body." + std::to_string(i) + ".basis.from", error.what());
+      }
+    });
+  }
+}
+
 void place_body(const MeshSpec& spec, int dimension, const std::string& path, sim::Mesh& mesh) {
   try {
     place_mesh(spec, dimension, mesh);
@@ -169,6 +185,7 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   if (made) place_bodies(document, mistakes);
   if (made) make_obstacles(document, document.folder, mistakes);
   if (made) read_starts(document, document.folder, mistakes);
+  if (made) read_bases(document, document.folder, mistakes);
   check_consistency(items, document, mistakes);
   return document;
 }

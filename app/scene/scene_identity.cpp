@@ -42,12 +42,22 @@ std::uint64_t scene_identity(const Document& document) {
   }
   for (ObstacleMesh& mesh : simulated.obstacle_meshes) mesh.spec.file = mesh.spec.file.filename();
   for (std::filesystem::path& file : simulated.start_files) file.clear();  // the nodes themselves are told
+  for (std::filesystem::path& folder : simulated.basis_folders) folder.clear();
   std::uint64_t sum = sim::checksum(scene_json(simulated, {}));
   for (const sim::Body& body : document.scene.bodies) sum = checksum_of_mesh(body.mesh, sum);
+  for (const sim::Body& body : document.scene.bodies)
+    if (body.basis && body.basis->snapshots) sum = checksum_of(*body.basis->snapshots, sum);
   for (const sim::Obstacle& obstacle : document.scene.obstacles)
     if (const auto* surface = std::get_if<sim::RigidSurface>(&obstacle.shape))
       sum = checksum_of(surface->faces, checksum_of(surface->X, sum));
   return sum;
+}
+
+std::uint64_t basis_identity(const Document& document) {
+  Document bases = document;
+  bases.scene.springs.clear();
+  bases.scene.probes.clear();
+  return scene_identity(bases);
 }
 
 }  // namespace app

@@ -11,4 +11,7 @@ namespace app {
 // lasts, so that a run can go on for longer.
 std::uint64_t scene_identity(const Document& document);
 
+// Of what the bases of its bodies are made from: equal where they are.
+std::uint64_t basis_identity(const Document& document);
+
 }  // namespace app

@@ -56,8 +56,8 @@ std::string relative_path(const std::filesystem::path& file, const std::filesyst
 }
 
 bool names_file(std::string_view path) {
-  constexpr std::array<std::string_view, 5> all = {"body[].mesh.file", "body[].mesh.surface", "body[].mesh.skin",
-                                                   "body[].start.file", "obstacle[].mesh.file"};
+  constexpr std::array<std::string_view, 6> all = {"body[].mesh.file",  "body[].mesh.surface", "body[].mesh.skin",
+                                                   "body[].start.file", "body[].basis.from",   "obstacle[].mesh.file"};
   return std::ranges::find(all, path) != all.end();
 }
 

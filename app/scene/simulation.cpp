@@ -6,6 +6,7 @@
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_identity.h"
 #include "sim/mesh/input_error.h"
+#include "sim/study/basis.h"
 #include "sim/study/modes.h"
 
 namespace app {
@@ -37,10 +38,23 @@ std::shared_ptr<const sim::System> build_system(const Document& document, int th
   }
 }
 
+void make_bases(Document& document, const Document* before) {
+  if (!sim::has_basis(document.scene)) return;
+  try {
+    std::vector<sim::Body>& bodies = document.scene.bodies;
+    if (before != nullptr && basis_identity(document) == basis_identity(*before))
+      for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].basis->vectors = before->scene.bodies[b].basis->vectors;
+    document.scene = sim::with_bases_made(std::move(document.scene));
+  } catch (const sim::InputError& error) {
+    throw SceneError(located(error, document.places).message);
+  }
+}
+
 Simulation build_simulation(const Options& options) {
   const Stopwatch watch;
   Simulation simulation;
   simulation.document = load_scene(options.scene, options.settings, options.overrides);
+  make_bases(simulation.document, nullptr);
   simulation.system = build_system(simulation.document, options.threads);
   simulation.identity = scene_identity(simulation.document);
   simulation.build_seconds = watch.seconds();

@@ -28,6 +28,10 @@ struct Simulation {
 // Reads the scene that the options name and builds its system. Throws SceneError.
 Simulation build_simulation(const Options& options);
 
+// Makes the vectors of the scene's bases, where it has some; those of `before` serve where the body is the same. Throws
+// SceneError.
+void make_bases(Document& document, const Document* before);
+
 // Throws SceneError where a scene has no body: it is a page of exhibits alone, and there is nothing to measure.
 void require_bodies(const Document& document);
 

@@ -53,6 +53,7 @@ std::optional<std::int64_t> same_time(std::int64_t n, const sim::System& from, c
 void forget_solver(sim::State& state) {
   state.force.resize(0);
   state.kept = {};
+  state.coordinates = {};
 }
 
 }  // namespace
@@ -175,6 +176,7 @@ std::shared_ptr<const Simulation> Session::build(const Document& document,
                                                  const std::optional<sim::Spring>& pull) const {
   auto simulation = std::make_shared<Simulation>();
   simulation->document = document;
+  make_bases(simulation->document, simulation_ ? &simulation_->document : nullptr);
   if (pull) simulation->document.scene.springs.push_back(*pull);
   simulation->system = build_system(simulation->document, threads_);
   return simulation;

@@ -63,6 +63,10 @@ Mass::Mass(const Body& body, const std::vector<double>& density, int first_node)
   });
 }
 
+Mass Mass::unit(int first, int count) {
+  return {first, Eigen::VectorXd::Ones(count)};
+}
+
 void Mass::add_product(double s, const Eigen::VectorXd& p, Eigen::VectorXd& y, int D) const {
   for (int i = 0; i < nodal_.size(); ++i) {
     const Eigen::Index at = static_cast<Eigen::Index>(first_node_ + i) * D;

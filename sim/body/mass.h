@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/math/block_matrix.h"
@@ -16,6 +17,9 @@ class Mass {
  public:
   // density[e]: of each element of the mesh [kg/m^3]. Node numbers are shifted by first_node.
   Mass(const Body& body, const std::vector<double>& density, int first_node);
+
+  // A mass of 1 for each of some numbers that are no nodes.
+  static Mass unit(int first, int count);
 
   bool lumped() const { return !consistent_; }
   int first_node() const { return first_node_; }
@@ -39,6 +43,8 @@ class Mass {
     std::vector<double> values;  // kg
     std::vector<int> slot;       // of each entry in the matrix of the system
   };
+  Mass(int first_node, Eigen::VectorXd nodal) : first_node_(first_node), nodal_(std::move(nodal)) {}
+
   int first_node_;
   Eigen::VectorXd nodal_;
   std::optional<Consistent> consistent_;

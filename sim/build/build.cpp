@@ -9,7 +9,9 @@
 #include "sim/build/held.h"
 #include "sim/build/key_path.h"
 #include "sim/build/loads.h"
+#include "sim/build/materials.h"
 #include "sim/build/obstacles.h"
+#include "sim/build/reduction.h"
 #include "sim/element/element.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/order.h"
@@ -24,19 +26,6 @@
 namespace sim {
 
 namespace {
-
-// Which material each element has: 0 is the body's own, later ones override groups.
-std::vector<int> material_of_elements(const Body& body, std::size_t number) {
-  std::vector<int> of(body.mesh.element_count(), 0);
-  for (std::size_t m = 1; m < body.materials.size(); ++m) {
-    const std::string key = key_of("body", number) + "." + key_of("region", m - 1);
-    const Group group =
-        below(key, [&] { return find_group(body.mesh, {body.materials[m].group}, GroupPart::elements); });
-    if (group.elements.empty()) throw InputError(key + ".group", "group \"" + group.name + "\" has no elements");
-    for (const int e : group.elements) of[e] = static_cast<int>(m);
-  }
-  return of;
-}
 
 BodyRange range_of(const Body& body, const BodyRange* last) {
   BodyRange range{body.name, 0, body.mesh.node_count(), 0, body.mesh.element_count(), 0, nullptr};
@@ -149,7 +138,7 @@ void settle_substeps(Parts& parts) {
   if (model.time.substeps > 0) return;
   model.time.substeps = 1;
   if (!parts.scheme->is_explicit()) return;
-  const double h = margin * stable_step(model);
+  const double h = margin * stable_step(parts.moving());
   model.time.substeps = std::max(1, static_cast<int>(std::ceil(1.0 / (model.time.fps * h))));
   model.watches_step = true;
   parts.remarks.push_back("explicit: " + std::to_string(model.time.substeps) +
@@ -157,7 +146,7 @@ void settle_substeps(Parts& parts) {
 }
 
 void form_pattern(Parts& parts) {
-  if (parts.scheme->is_explicit()) return;
+  if (parts.scheme->is_explicit() || parts.reduction) return;
   Model& model = parts.model;
   const bool by_itself = model.solver.linear == LinearSolverKind::automatic;
   if (!model.contacts.empty() && model.solver.newton == NewtonKind::pure)
@@ -206,12 +195,14 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   }
   add_obstacles(*parts);
   add_contacts(*parts, scene);
+  parts->reduction = make_reduction(*parts, scene);
   add_springs(model, scene.springs);
   for (std::size_t k = 0; k < scene.probes.size(); ++k)
     parts->probes.push_back(find_point(model, key_of("probe", k), scene.probes[k].body, scene.probes[k].at));
   check_start(model);
   if (parts->scheme->is_static) parts->no_equilibrium = moved_as_a_whole(model, scene.springs);
   settle_substeps(*parts);
+  if (parts->reduction) parts->reduction->model.time = model.time;
   form_pattern(*parts);
   return parts;
 }

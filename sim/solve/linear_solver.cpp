@@ -1,6 +1,7 @@
 #include "sim/solve/linear_solver.h"
 
 #include "sim/solve/auto_solver.h"
+#include "sim/solve/dense_solver.h"
 #include "sim/solve/lu_solver.h"
 
 namespace sim {
@@ -19,6 +20,7 @@ bool forms_matrix(const Solver& settled) {
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Model& model) {
   if (model.solver.newton == NewtonKind::pure) return std::make_unique<LuSolver>(model);
+  if (model.dense) return std::make_unique<DenseSolver>(model);
   const LinearSolverKind linear = model.solver.linear;
   if (linear == LinearSolverKind::automatic) return std::make_unique<AutoSolver>(model);
   if (linear == LinearSolverKind::cholmod) return std::make_unique<DirectSolver>(model);

@@ -46,6 +46,7 @@ struct Model {
   std::vector<const ContactTerm*> contacts;  // of the terms
   std::vector<const ObstacleTerm*> smooth;   // of them: planes and spheres
   std::optional<BlockPattern> pattern;       // only where a solver forms a matrix
+  bool dense = false;                        // few unknowns, each of which acts on all others
   Pins pins;
   double energy_scale = 0;  // J: Young's modulus times volume, all bodies; round-off of U is relative to it
   double bound = 0;         // m: a position beyond it has no meaning left, 1e12 sizes of the scene

@@ -11,9 +11,7 @@
 #include <cmath>
 
 #include "sim/body/start.h"
-#include "sim/build/parts.h"
-#include "sim/linear/sparse.h"
-#include "sim/solve/tangent_operator.h"
+#include "sim/study/pencil.h"
 #include "sim/system.h"
 
 namespace sim {
@@ -23,44 +21,6 @@ namespace {
 using Product = Spectra::SparseSymMatProd<double>;
 
 constexpr Eigen::Index few = 200;  // unknowns for which a dense solver is as fast
-
-// The body alone, at rest, under nothing but its pins.
-Scene alone(const Scene& scene, std::size_t number) {
-  Scene one;
-  one.dimension = scene.dimension;
-  one.world.gravity.setZero();
-  one.solver.linear = LinearSolverKind::cholmod;
-  one.bodies = {scene.bodies[number]};
-  Body& body = one.bodies[0];
-  body.start = {};
-  body.damping = {};
-  body.loads = {};
-  body.untangle = 0;
-  return one;
-}
-
-// K and M of the free components.
-struct Pencil {
-  Eigen::VectorXd free;
-  SparseMatrix K, M;
-
-  explicit Pencil(const System& system) {
-    const Model& model = parts_of(system).model;
-    TangentOperator tangent(model, 1);
-    model.pins.mark(0, tangent.free());
-    free = tangent.free();
-    const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.dofs());
-    Eigen::VectorXd f(model.dofs());
-    tangent.begin_step({model.X, still, 0, 0});
-    tangent.linearise({model.X, still, 0, 0}, 0, Definiteness::none, f);
-    BlockMatrix stiffness(*model.pattern, model.D), mass(*model.pattern, model.D);
-    tangent.assemble(stiffness);
-    for (const Mass& m : model.masses) m.add_matrix(1, mass);
-    K = free_part(stiffness, free);
-    M = free_part(mass, free);
-  }
-  Eigen::Index size() const { return K.rows(); }
-};
 
 struct Pairs {
   Eigen::VectorXd values;   // omega^2, rising
@@ -90,7 +50,7 @@ Pairs sparse_pairs(const Pencil& pencil, Eigen::Index count) {
 }  // namespace
 
 Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
-  const System system(alone(scene, body));
+  const System system(at_rest_alone(scene, body));
   const Pencil pencil(system);
   if (pencil.size() == 0) return {{}, Eigen::MatrixXd(pencil.free.size(), 0)};  // all nodes are pinned
   const Eigen::Index wanted = std::min<Eigen::Index>(count, pencil.size());
@@ -112,7 +72,7 @@ Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
 }
 
 double fastest_frequency(const Scene& scene, std::size_t body) {
-  const System system(alone(scene, body));
+  const System system(at_rest_alone(scene, body));
   const Pencil pencil(system);
   if (pencil.size() == 0) return 0;
   if (pencil.size() <= few) return std::sqrt(dense_pairs(pencil, pencil.size()).values.maxCoeff());

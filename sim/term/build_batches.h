@@ -72,7 +72,8 @@ ElementBatches<Element, D> build_batches(const ElasticInput& input, bool framed)
       const std::size_t point = static_cast<std::size_t>(batch) * Q + q;
       for (int a = 1; a < N; ++a)
         for (int m = 0; m < M; ++m) b.gradient[(point * (N - 1) + a - 1) * M + m][lane] = rest.G(order[a], m);
-      b.weight[point][lane] = e < b.count ? rest.w : 0.0;
+      const double counted = input.counts.empty() || e >= b.count ? 1 : input.counts[static_cast<std::size_t>(e)];
+      b.weight[point][lane] = e < b.count ? counted * rest.w : 0.0;
       if (framed)
         for (int i = 0; i < D; ++i)
           for (int j = 0; j < D; ++j) b.frame[point](i, j)[lane] = rest.frame(i, j);

@@ -35,9 +35,10 @@ class ElasticTerm : public Term {
 struct ElasticInput {
   const Body& body;
   const MaterialSpec& material;
-  std::vector<int> elements;  // numbers in the body's mesh, in the order of the batches
-  int first_node;             // of the body in the system
-  int node_count;             // of the system
+  std::vector<int> elements;        // numbers in the body's mesh, in the order of the batches
+  int first_node;                   // of the body in the system
+  int node_count;                   // of the system
+  std::vector<double> counts = {};  // how often each of them counts; empty: once
 };
 
 // D = 2 in a plane scene, 3 otherwise. Throws InputError for an unknown material (key "model") or an element that

@@ -13,6 +13,7 @@ class Gravity final : public Term {
 
   TermInfo info() const override;
   Role role() const override { return Role::own; }
+  std::optional<double> dead_ramp() const override { return 0; }
   double energy(const Motion& motion, Store&) const override;
   void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
 

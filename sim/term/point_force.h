@@ -16,6 +16,7 @@ class PointLoad final : public Term {
 
   TermInfo info() const override;
   Role role() const override { return Role::applied; }
+  std::optional<double> dead_ramp() const override { return force_.ramp; }
   double energy(const Motion& motion, Store&) const override;
   void add_forces(const Motion& motion, Store&, Eigen::VectorXd& f) const override;
 

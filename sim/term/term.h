@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "sim/material/tangent.h"
 #include "sim/math/block_matrix.h"
@@ -42,6 +43,8 @@ class Term {
   }
   // Freezes what a term keeps fixed during a step (damping's tangent, friction's normal forces).
   virtual void begin_step(const Motion& /*start*/, Store&) const {}
+  // Of a dead load, whose force depends on time alone: the ramp [s] on which it rises (sim/term/ramp.h).
+  virtual std::optional<double> dead_ramp() const { return {}; }
   // It freezes something.
   virtual bool lags() const { return false; }
 

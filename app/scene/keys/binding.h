@@ -187,6 +187,7 @@ std::vector<Key> solver_keys();
 std::vector<Key> world_keys();
 std::vector<Key> body_keys();
 std::vector<Key> start_keys();
+std::vector<Key> basis_keys();
 std::vector<Key> mesh_keys();
 std::vector<Key> obstacle_mesh_keys();
 std::vector<Key> material_keys();
