@@ -35,6 +35,9 @@ double System::time(std::int64_t step) const {
 std::span<const BodyRange> System::bodies() const {
   return parts_->model.ranges;
 }
+double System::mass(std::size_t body) const {
+  return parts_->model.masses[body].total();
+}
 Eigen::Ref<const Eigen::VectorXd> System::of_bodies(const Eigen::VectorXd& all) const {
   return all.head(static_cast<Eigen::Index>(parts_->model.body_nodes) * parts_->model.D);
 }

@@ -33,6 +33,7 @@ class System {
   std::span<const BodyRange> bodies() const;
   // The numbers of the nodes of bodies, in front of those of obstacles: of positions or velocities.
   Eigen::Ref<const Eigen::VectorXd> of_bodies(const Eigen::VectorXd& all) const;
+  double mass(std::size_t body) const;  // kg
   std::vector<TermInfo> terms() const;
   // Where an obstacle of the scene is, none after its release.
   std::optional<ObstacleShape> obstacle(const State& state, std::size_t k) const;

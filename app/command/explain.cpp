@@ -6,6 +6,7 @@
 #include "app/scene/key_reference.h"
 #include "app/scene/keys.h"
 #include "app/scene/simulation.h"
+#include "sim/mesh/locate.h"
 #include "sim/study/explicit_limit.h"
 
 namespace app {
@@ -37,6 +38,21 @@ void print_time(const Simulation& simulation, int threads) {
   if (system.bodies().empty()) return;  // a page of a lecture that moves nothing
   const double limit = sim::explicit_limit(simulation.document.scene, system, threads);
   print_line("stable h", formatted("%.3g s", limit) + " at most in an explicit scheme");
+}
+
+// Where bodies are at rest, what they weigh, and by which names their parts are known.
+void print_bodies(const sim::System& system) {
+  if (!system.bodies().empty()) std::cout << "bodies\n";
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const sim::Mesh& mesh = *system.bodies()[b].mesh;
+    std::string groups;
+    for (const sim::Group& group : mesh.groups)
+      groups += (groups.empty() ? "; groups " : ", ") + group.name + " (" +
+                (group.nodes.empty() ? std::to_string(group.elements.size()) + " elements"
+                                     : std::to_string(group.nodes.size()) + " nodes") +
+                ")";
+    print_line(system.bodies()[b].name, formatted("%.4g kg; ", system.mass(b)) + sim::span_text(mesh) + groups);
+  }
 }
 
 void print_terms(const sim::System& system) {
@@ -80,6 +96,7 @@ int explain(const Options& options) {
   const Simulation simulation = build_simulation(options);
   std::cout << simulation.document.title << '\n';
   print_time(simulation, options.threads);
+  print_bodies(*simulation.system);
   print_terms(*simulation.system);
   print_costs(*simulation.system);
   print_changed_keys(simulation.document);

@@ -91,7 +91,7 @@ sim::Mesh filled_surface(const MeshSpec& spec, const sim::Mesh& surface, std::ve
     throw InputError("mesh.surface", "is no surface of triangles in space; mesh.file reads what it is");
   if (spec.size == 0)
     throw InputError("mesh", "'size' is missing: about the length of the edges that fill the surface");
-  sim::Filling filling = sim::fill(surface, spec.size);
+  sim::Filling filling = sim::fill(surface, spec.size / spec.scale);
   const sim::Shells& shells = filling.shells;
   remarks.push_back("filled " + std::to_string(surface.element_count()) + " triangles with " +
                     std::to_string(filling.mesh.element_count()) + " tets; smallest dihedral angle " +
@@ -103,6 +103,11 @@ sim::Mesh filled_surface(const MeshSpec& spec, const sim::Mesh& surface, std::ve
   add_remark(remarks, shells.inside_out, "shells were inside out and have been turned");
   add_remark(remarks, shells.cavities, "shells inside of others are walls of cavities");
   add_remark(remarks, filling.crumbs, "parts smaller than 1 % of the largest one have been left out");
+  add_remark(remarks, filling.lost, "parts of the surface are thinner than mesh.size, and nothing is filled there");
+  const std::size_t parts = sim::components(filling.mesh).size();
+  if (parts > 1) remarks.push_back("the body is in " + std::to_string(parts) + " parts that nothing connects");
+  if (spec.wears_surface && shells.open_edges > 0)
+    remarks.push_back("mesh.skin shows the surface as it came, holes and all");
   constexpr double half = 0.5;
   if (filling.spanned < half)
     remarks.push_back("the body is " + percent(filling.spanned) +

@@ -58,7 +58,8 @@ void add_body(Model& model, std::size_t b) {
   for (std::size_t k = 0; k < body.pins.size(); ++k) {
     const std::string key = key_of("body", b) + "." + key_of("pin", k);
     std::vector<int> nodes = below(key, [&] { return nodes_in(body.mesh, body.pins[k].where); });
-    if (nodes.empty()) throw InputError(key, "no node of \"" + body.name + "\" is in this region");
+    if (nodes.empty())
+      throw InputError(key, "no node of \"" + body.name + "\" is in this region; " + span_text(body.mesh));
     for (int& node : nodes) node += range.first_node;
     model.pins.add(body.pins[k], nodes, body.pins[k].at_start ? model.x_start : model.X, model.D,
                    {"pin " + std::to_string(k) + " of \"" + body.name + "\"", body.name});

@@ -30,7 +30,8 @@ void add_pressure(Model& model, std::size_t b, const Pressure& pressure, const s
     if (pressure.where) return facets_in(body.mesh, *pressure.where);
     return solid ? boundary_facets(body.mesh) : surface_facets(body.mesh);
   });
-  if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
+  if (facets.cols() == 0)
+    throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region; " + span_text(body.mesh));
   if (!solid && facets.rows() != body.mesh.elements.rows())
     throw InputError(key, "there are edges of \"" + body.name + "\" in this region, but no face to press on");
   below(key, [&] {
@@ -55,7 +56,8 @@ void add_loads(Model& model, std::size_t b) {
   for (std::size_t k = 0; k < body.loads.tractions.size(); ++k) {
     const std::string key = key_of("body", b) + "." + key_of("traction", k);
     const Eigen::MatrixXi facets = below(key, [&] { return facets_in(body.mesh, body.loads.tractions[k].where); });
-    if (facets.cols() == 0) throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region");
+    if (facets.cols() == 0)
+      throw InputError(key, "no boundary facet of \"" + body.name + "\" is in this region; " + span_text(body.mesh));
     model.terms.push_back(std::make_unique<TractionLoad>(body, body.loads.tractions[k], facets,
                                                          model.ranges[b].first_node, model.X, model.D));
   }

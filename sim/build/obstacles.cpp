@@ -1,6 +1,7 @@
 #include "sim/build/obstacles.h"
 
 #include <numeric>
+#include <optional>
 
 #include "sim/body/pose.h"
 #include "sim/build/contacts.h"
@@ -47,6 +48,18 @@ void add_smooth(Parts& parts, std::size_t k) {
   model.smooth.push_back(term.get());
   for (const BodyRange& body : model.ranges) part_from_obstacle(*term, key_of("obstacle", k), body, reach / 2, model);
   model.terms.push_back(std::move(term));
+}
+
+// Somewhere on it or in it at the start; planes are everywhere.
+std::optional<Vec3> point_of(const Model& model, std::size_t k) {
+  const Obstacle& obstacle = model.obstacles[k];
+  if (const auto* sphere = std::get_if<Sphere>(&obstacle.shape))
+    return obstacle.motion.empty() ? sphere->centre : Pose(obstacle.motion, 0).place(sphere->centre);
+  if (!std::holds_alternative<RigidSurface>(obstacle.shape)) return {};
+  Vec3 point = Vec3::Zero();
+  point.head(model.D) =
+      model.x_start.segment(static_cast<Eigen::Index>(model.obstacle_nodes[k].first) * model.D, model.D);
+  return point;
 }
 
 void check_faces(const RigidSurface& surface, int D, const std::string& key) {
@@ -110,6 +123,7 @@ void add_obstacles(Parts& parts) {
       } else {
         add_smooth(parts, k);
       }
+      if (const std::optional<Vec3> point = point_of(model, k)) check_outside(model, *point, key_of("obstacle", k));
     }
 }
 

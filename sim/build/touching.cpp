@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "sim/element/element.h"
 #include "sim/mesh/boundary.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/locate.h"
@@ -93,6 +94,18 @@ void part_from_obstacle(const ObstacleTerm& term, const std::string& key, const 
   for (int i = 0; i < model.D; ++i) message << (i == 0 ? "" : ", ") << way * deepest.out[i];
   message << "), or move the obstacle";
   throw InputError(key, message.str());
+}
+
+void check_outside(const Model& model, const Vec3& point, const std::string& key) {
+  for (const BodyRange& body : model.ranges) {
+    if (info(body.mesh->kind).dimension < model.D) continue;
+    Mesh at_start = *body.mesh;
+    at_start.X = model.x_start
+                     .segment(static_cast<Eigen::Index>(body.first_node) * model.D,
+                              static_cast<Eigen::Index>(body.node_count) * model.D)
+                     .reshaped(model.D, body.node_count);
+    if (locate(at_start, point)) throw InputError(key, "starts inside of \"" + body.name + "\": move one of them");
+  }
 }
 
 }  // namespace sim

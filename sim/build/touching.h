@@ -17,4 +17,8 @@ std::vector<char> still_nodes(const Model& model);
 void part_from_obstacle(const ObstacleTerm& obstacle, const std::string& key, const BodyRange& body, double gap,
                         Model& model);
 
+// Throws InputError with this key where an obstacle begins within a body: it touches nothing there, and could not come
+// out. `point` [m] is on it or in it.
+void check_outside(const Model& model, const Vec3& point, const std::string& key);
+
 }  // namespace sim

@@ -2,16 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iomanip>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sim/fill/inherit.h"
 #include "sim/fill/lattice.h"
 #include "sim/fill/split.h"
 #include "sim/fill/winding.h"
+#include "sim/fill/wrapping.h"
 #include "sim/mesh/check.h"
 #include "sim/mesh/components.h"
 #include "sim/mesh/dihedral.h"
@@ -70,7 +72,7 @@ class Stuffing {
 
   // Where the boundary crosses edges, by halving: between its two sides there is nothing else to go by.
   void find_cuts() {
-    constexpr int halvings = 20;
+    constexpr int halvings = 36;
     for (int v = 0; v < lattice_.vertex_count(); ++v)
       lattice_.visit_neighbours(v, [&](int w) {
         if (w < v || sign_[v] == sign_[w]) return;
@@ -183,14 +185,24 @@ int drop_crumbs(Mesh& mesh) {
   return dropped;
 }
 
+void check_size(const Vec3& extent, double size) {
+  const auto vertices = [&](double edge) { return 2 * (extent.array() / edge + 3).prod(); };
+  if (vertices(size) <= most_vertices) return;
+  double least = size;
+  while (vertices(least) > most_vertices) least *= 1.01;
+  std::ostringstream message;
+  message << std::setprecision(3) << "makes a lattice of more than 4e6 vertices: the surface is "
+          << extent.maxCoeff() / size << " times as long, and may be " << extent.maxCoeff() / least
+          << " times; a file in millimetres takes mesh.scale = 0.001";
+  throw InputError("mesh.size", message.str());
+}
+
 }  // namespace
 
 Filling fill(const Mesh& surface, double size) {
   const Eigen::Matrix3Xd X = surface.X;
   const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
-  double vertices = 2;
-  for (int axis = 0; axis < 3; ++axis) vertices *= (high[axis] - low[axis]) / size + 3;
-  if (vertices > most_vertices) throw InputError("mesh.size", "makes a lattice of more than 4e6 vertices");
+  check_size(high - low, size);
   Filling filling;
   filling.shells = face_outwards(X, surface.elements);
   const Winding winding(X, filling.shells.triangles);
@@ -204,7 +216,9 @@ Filling fill(const Mesh& surface, double size) {
   filling.crumbs = drop_crumbs(filling.mesh);
   const Eigen::Matrix3Xd inside = filling.mesh.X;
   filling.spanned = (inside.rowwise().maxCoeff() - inside.rowwise().minCoeff()).maxCoeff() / (high - low).maxCoeff();
-  filling.mesh.groups = inherit_groups(surface, filling.mesh);
+  const Wrapping wrapping = wrap(surface, filling.mesh);
+  filling.mesh.groups = inherit_groups(surface, wrapping);
+  filling.lost = count_lost(surface, filling.mesh, wrapping);
   filling.smallest_angle = smallest_dihedral(filling.mesh);
   return filling;
 }

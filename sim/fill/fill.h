@@ -14,6 +14,7 @@ struct Filling {
   Shells shells;
   double smallest_angle = 0;  // degrees, of all dihedral angles
   int crumbs = 0;             // parts of less than 1/100 of the largest one, left out
+  int lost = 0;               // parts of the surface that are thinner than the tets, which fill nothing of them
   double spanned = 0;         // the longest side of the body's box, of that of the surface's
 };
 

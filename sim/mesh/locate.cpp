@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 #include <type_traits>
 
 #include "sim/element/list.h"
@@ -194,6 +195,20 @@ Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region) {
     if (faces.cols() > 0) return faces;
   }
   return chosen_of(boundary_facets(mesh));
+}
+
+std::string span_text(const Mesh& mesh) {
+  std::ostringstream text;
+  const auto write = [&](const Eigen::VectorXd& corner) {
+    for (Eigen::Index i = 0; i < corner.size(); ++i) text << (i == 0 ? "[" : ", ") << corner[i];
+    text << ']';
+  };
+  text << "it spans ";
+  write(mesh.X.rowwise().minCoeff());
+  text << " to ";
+  write(mesh.X.rowwise().maxCoeff());
+  text << " m";
+  return text.str();
 }
 
 }  // namespace sim

@@ -37,4 +37,7 @@ std::vector<int> nodes_in(const Mesh& mesh, const Region& region);
 // in the region; its edges only where there are none. May be empty. Throws as find_group.
 Eigen::MatrixXi facets_in(const Mesh& mesh, const Region& region);
 
+// For messages: "it spans [0, 0, 0] to [4, 1, 1] m".
+std::string span_text(const Mesh& mesh);
+
 }  // namespace sim

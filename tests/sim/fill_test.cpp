@@ -7,6 +7,7 @@
 #include "sim/fill/winding.h"
 #include "sim/mesh/components.h"
 #include "sim/mesh/dihedral.h"
+#include "sim/mesh/locate.h"
 #include "tests/sim/mesh_support.h"
 #include "tests/sim/surfaces.h"
 
@@ -85,7 +86,9 @@ TEST(Fill, CornersAreCutByLessThanAnEdge) {
 TEST(Fill, WhatEnclosesNothingIsRefused) {
   EXPECT_EQ(reason(without_triangles(ball(1), 0, 1200), 0.2).find("mesh.surface: encloses nothing: "), 0);
   EXPECT_EQ(reason(ball(0.01), 0.5), "mesh.surface: encloses nothing as large as mesh.size");
-  EXPECT_EQ(reason(ball(1), 1e-3), "mesh.size: makes a lattice of more than 4e6 vertices");
+  EXPECT_EQ(reason(ball(1), 1e-3),
+            "mesh.size: makes a lattice of more than 4e6 vertices: the surface is 2e+03 times as long, and may be 122 "
+            "times; a file in millimetres takes mesh.scale = 0.001");
 }
 
 // A cube of which one side is a group, and another one as well.
@@ -126,6 +129,21 @@ TEST(Fill, CrumbsAreSmallBesideTheLargestPart) {
   EXPECT_EQ(all.crumbs, 0);
   EXPECT_EQ(components(all.mesh).size(), 150U);
   EXPECT_EQ(fill(joined(one, ball(4, {6, 0, 0})), 0.4).crumbs, 1);
+}
+
+// A leg of a twentieth of the edges fills nothing; a ball inside of the block is a part of it.
+TEST(Fill, PartsThatAreThinnerThanTheTetsAreCounted) {
+  const Mesh body = block_surface({2, 2, 2});
+  const Mesh leg = block_surface({0.02, 0.02, 1.5}, {0.91, 0.93, -1.7}), inside = ball(0.3, {1, 1, 1});
+  EXPECT_EQ(fill(joined(body, leg), 0.4).lost, 1);
+  EXPECT_EQ(fill(joined(body, inside), 0.4).lost, 0);
+}
+
+// Sides lie where the surface has them, as near as a region's box reaches.
+TEST(Fill, FlatSidesLieOnTheSurface) {
+  const Mesh solid = fill(block_surface({1, 1, 1}), 0.17).mesh;
+  EXPECT_GT(nodes_in(solid, Box{{-1, -1, -1}, {0, 2, 2}}).size(), 10U);
+  EXPECT_GT(nodes_in(solid, Box{{1, -1, -1}, {2, 2, 2}}).size(), 10U);
 }
 
 TEST(Carry, AnAffineMotionTakesThePointsAlongExactly) {

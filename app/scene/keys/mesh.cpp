@@ -130,7 +130,7 @@ std::vector<Key> mesh_keys() {
            "A file of triangles around a solid, which is filled with tets; its path is relative to the scene file. "
            "Holes are closed, and what shells share is filled once."},
           {"size", Form(Kind::number, "m", above(0)).otherwise("needed with surface"), fill_size,
-           "About the length of the edges that fill a surface. What is thinner is lost."},
+           "About the length of the edges that fill a surface, when it has been scaled. What is thinner is lost."},
           {"skin", Form(Kind::switch_or_text).otherwise("the body's own surface"), worn_skin,
            "What the picture shows of a body of tets: true for the surface that was filled, or a file of triangles, "
            "which the body carries along. Nothing else changes."}});

@@ -1,12 +1,14 @@
-#include "sim/fill/inherit.h"
+#include "sim/fill/wrapping.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "sim/contact/distance.h"
+#include "sim/fill/carry.h"
 #include "sim/math/vec3.h"
 #include "sim/mesh/boundary.h"
+#include "sim/mesh/components.h"
 
 namespace sim {
 namespace {
@@ -53,28 +55,43 @@ class Triangles {
 
 }  // namespace
 
-std::vector<Group> inherit_groups(const Mesh& surface, const Mesh& solid) {
-  if (surface.groups.empty()) return {};
-  const Eigen::MatrixXi facets = boundary_facets(solid);
+Wrapping wrap(const Mesh& surface, const Mesh& solid) {
+  Wrapping wrapping{boundary_facets(solid), {}};
   const Triangles triangles(surface);
-  std::vector<int> nearest;
-  for (const auto& facet : facets.colwise())
-    nearest.push_back(triangles.nearest((solid.X.col(facet[0]) + solid.X.col(facet[1]) + solid.X.col(facet[2])) / 3));
+  for (const auto& f : wrapping.facets.colwise())
+    wrapping.nearest.push_back(triangles.nearest((solid.X.col(f[0]) + solid.X.col(f[1]) + solid.X.col(f[2])) / 3));
+  return wrapping;
+}
+
+std::vector<Group> inherit_groups(const Mesh& surface, const Wrapping& wrapping) {
   std::vector<Group> groups;
   for (const Group& source : surface.groups) {
     if (source.elements.empty()) continue;
-    Group group{source.name, {}, {}, {}, 2};
     std::vector<Eigen::Index> own;
-    for (std::size_t k = 0; k < nearest.size(); ++k)
-      if (std::binary_search(source.elements.begin(), source.elements.end(), nearest[k]))
+    for (std::size_t k = 0; k < wrapping.nearest.size(); ++k)
+      if (std::binary_search(source.elements.begin(), source.elements.end(), wrapping.nearest[k]))
         own.push_back(static_cast<Eigen::Index>(k));
-    group.facets = facets(Eigen::indexing::all, own);
+    Group group{source.name, {}, {}, wrapping.facets(Eigen::indexing::all, own), 2};
     group.nodes.assign(group.facets.reshaped().begin(), group.facets.reshaped().end());
     std::sort(group.nodes.begin(), group.nodes.end());
     group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
     groups.push_back(group);
   }
   return groups;
+}
+
+int count_lost(const Mesh& surface, const Mesh& solid, const Wrapping& wrapping) {
+  const std::vector<Component> parts = components(surface);
+  if (parts.size() == 1) return 0;
+  std::vector<char> wraps(static_cast<std::size_t>(surface.element_count()), 0);
+  for (const int triangle : wrapping.nearest) wraps[static_cast<std::size_t>(triangle)] = 1;
+  int lost = 0;
+  for (const Component& part : parts) {
+    if (std::any_of(part.elements.begin(), part.elements.end(), [&](int t) { return wraps[t] != 0; })) continue;
+    // What lies inside of others is part of them.
+    lost += farthest_outside(carry(solid, surface.X.col(part.nodes[0]))) > 0;
+  }
+  return lost;
 }
 
 }  // namespace sim
