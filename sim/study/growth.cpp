@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 // h as a whole number of units over a whole number of frames, to a millionth.
-void set_step(Time& time, double h) {
+void set_time_step(Time& time, double h) {
   time.unit = std::max(1, static_cast<int>(std::ceil(1e6 * h)));
   time.fps = static_cast<int>(std::lround(time.unit / h));
   time.substeps = 1;
@@ -35,7 +35,7 @@ double Growth::per_step() const {
 Growth growth(const Scene& scene, const std::string& integrator, double h, int steps) {
   Scene resting = scene;
   resting.time.integrator = integrator;
-  set_step(resting.time, h);
+  set_time_step(resting.time, h);
   resting.world.gravity.setZero();
   for (Body& body : resting.bodies) body.start = {};
   const System system(resting);

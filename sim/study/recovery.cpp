@@ -78,9 +78,9 @@ double script_end(const Model& model) {
 
 // Tells at every tenth step whether the shapes still change; under loads, whether anything moves: a falling body keeps
 // its shape.
-class Rest {
+class RestDetector {
  public:
-  Rest(const System& system, const State& state, bool loaded)
+  RestDetector(const System& system, const State& state, bool loaded)
       : system_(system),
         x_(state.x),
         loaded_(loaded),
@@ -168,7 +168,7 @@ Recovery recover(const System& system, State& state, std::int64_t steps, const R
   constexpr int most_unsolved = 50;  // steps in a row
   const auto stepper = make_stepper(system, 1);
   const std::int64_t end = state.step + steps;
-  Rest rest(system, state, options.loaded);
+  RestDetector rest(system, state, options.loaded);
   std::optional<Gain> gain;
   if (options.energy) gain.emplace(system.measure(state), parts_of(system).model.energy_scale);
   Recovery r;

@@ -157,12 +157,20 @@ TEST(CommandLine, MistakesAreBadInput) {
   EXPECT_NE(parse({"record", "a.toml", "--set", "fps"}).err.find("--set fps: must be KEY=VALUE"), std::string::npos);
 }
 
+// Some versions of CLI11 break long lines.
+std::string in_one_line(const std::string& text) {
+  std::istringstream words(text);
+  std::string line, word;
+  while (words >> word) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
 TEST(CommandLine, AloneItPrintsTheHelp) {
   const Result result = parse({});
   EXPECT_FALSE(result.options);
   EXPECT_EQ(result.exit_code, 2);
   for (const Command& command : commands()) {
-    EXPECT_NE(result.out.find(command.what), std::string::npos) << result.out;
+    EXPECT_NE(in_one_line(result.out).find(in_one_line(std::string(command.what))), std::string::npos) << result.out;
   }
 }
 
