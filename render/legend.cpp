@@ -14,7 +14,7 @@ ImVec2 draw_legend(const Page& page, const ColourScale& scale, float bottom) {
   const float wrap = 0.24F * page.width;
   const ImVec2 heading_size = page.measure(heading, 1, wrap);
   const float room = bottom - 4.5F * page.size - heading_size.y;  // below a title
-  const float bar_height = std::round(std::clamp(0.36F * page.height, 3 * page.size, std::max(room, 3 * page.size)));
+  const float bar_height = std::round(std::clamp(0.36F * page.height, 2 * page.size, std::max(room, 2 * page.size)));
   const std::vector<double> values = ticks(scale.low, scale.high, static_cast<int>(bar_height / (2.2F * page.size)));
   const std::vector<std::string> labels = tick_labels(values);
   float widest = 0;
@@ -25,7 +25,8 @@ ImVec2 draw_legend(const Page& page, const ColourScale& scale, float bottom) {
   const float width = std::max(heading_size.x, bar_width + 0.55F * page.size + widest);
   const float left = std::round(right - width);
   const float lowest = bottom - bar_height - 0.8F * page.size;
-  const float top = std::round(std::min((page.height - bar_height) / 2 + 0.8F * page.size, lowest));
+  const float highest = heading_size.y + page.size;  // it is in the picture, whatever is below
+  const float top = std::round(std::max(std::min((page.height - bar_height) / 2 + 0.8F * page.size, lowest), highest));
   const ImVec2 corner{left - pad, top - heading_size.y - 0.75F * page.size};
   page.lay_plate(corner, {right + pad, top + bar_height + 0.8F * page.size});
   page.write(left, top - heading_size.y - 0.55F * page.size, heading, Align::left, Page::ink, 1, wrap);

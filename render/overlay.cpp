@@ -17,7 +17,12 @@
 namespace render {
 namespace {
 
-constexpr float title_scale = 1.3F;
+constexpr float title_scale = 1.3F, least_title_scale = 0.9F;
+
+// A title that is a little too long for one line is smaller.
+float fitting_title(const Page& heading, const std::string& title, float width) {
+  return std::clamp(width / heading.measure(title).x, least_title_scale, title_scale);
+}
 
 }  // namespace
 
@@ -71,7 +76,7 @@ void Overlay::draw(const Frame& frame, const View& view) {
   if (axes) draw_axes(page_, view, frame, title_end(frame) + page_.margin / 2);
   if (frame.sheet) draw_sheet(frame);
   // Each leaves what is free of the right side to the next one: its lower right corner.
-  ImVec2 corner = draw_strips(page_, frame.strips);
+  ImVec2 corner = draw_strips(page_, frame.strips, axes ? axes_below * page_.size : 0);
   if (bar) {
     const float below = frame.strips.empty() ? (axes ? axes_below : 0.6F) * page_.size : page_.margin;
     const ImVec2 end{page_.width - page_.margin, corner.y - below};
@@ -156,9 +161,9 @@ void Overlay::draw_words(const Frame& frame, const View& view, ImVec2 corner, Im
   const bool axes = view.orthographic && frame.look.axes;
   const float left = axes ? 3.6F * page_.size + page_.margin : page_.margin;
   if (!frame.title.empty()) {
+    const float wrap = (legend.y < title_end(frame) ? legend.x : page_.width) - left - page_.margin;
     heading.write(left, 0.8F * page_.margin, frame.title, Align::left, lecture_ ? colour_of(Ink::black) : Page::ink,
-                  lecture_ ? 28.0F / 24 : title_scale,
-                  (legend.y < title_end(frame) ? legend.x : page_.width) - left - page_.margin);
+                  lecture_ ? 28.0F / 24 : fitting_title(heading, frame.title, wrap), wrap);
   }
   if (frame.caption.empty()) return;
   // Above the lower axis, if there is one; beside strips and scale bar where it fits, else above them.

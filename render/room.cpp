@@ -43,13 +43,14 @@ Box room_for(const Contents& contents, int width, int height) {
   const double left = contents.look.axes ? axes_left * size : edge;
   double right = edge, top = edge, bottom = edge;
   if (!contents.title.empty()) {
-    const double lines = std::ceil(width_of(contents.title, 1.3 * size) / (w - 2 * margin));
-    top = 0.8 * margin + 1.3 * size * lines;
+    const double across = width_of(contents.title, size), free = w - 2 * margin - left;
+    const double scale = std::clamp(free / across, 0.9, 1.3);  // as Overlay draws it
+    top = 0.8 * margin + scale * size * std::ceil(scale * across / free - 1e-9);
   }
   if (contents.labels) top += 1.9 * size;
   if (!contents.legend.empty()) right = std::min(width_of(contents.legend + " [MPa]", size), 0.24 * w) + 2 * margin;
   if (contents.look.axes) bottom = axes_below * size;
-  if (contents.strips > 0) bottom = std::max(bottom, margin + strip_height(size, h));
+  if (contents.strips > 0) bottom = (contents.look.axes ? bottom : 0) + margin + strip_height(size, h);
   if (contents.look.scale_bar) bottom += scale_bar_height * size;
   // Where it does not fit beside strips it stands above them.
   const double strips = contents.strips * (std::min(20 * size, 0.5 * w) + margin);

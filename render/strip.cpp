@@ -117,11 +117,11 @@ float strip_height(double text, double picture) {
   return static_cast<float>(std::max(0.22 * picture, 6 * text));
 }
 
-ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips) {
+ImVec2 draw_strips(const Page& page, const std::vector<Strip>& strips, float below) {
   if (strips.empty()) return {page.width, page.height};
   float right = page.width - page.margin;
   const float width = std::min(20 * page.size, 0.5F * page.width);
-  const float bottom = page.height - page.margin, top = bottom - strip_height(page.size, page.height);
+  const float bottom = page.height - page.margin - below, top = bottom - strip_height(page.size, page.height);
   for (auto strip = strips.rbegin(); strip != strips.rend(); ++strip) {
     draw_strip(page, *strip, {right - width, top}, {right, bottom});
     right -= width + page.margin;
