@@ -7,6 +7,7 @@
 #include "app/base/number_text.h"
 #include "app/base/output_file.h"
 #include "app/base/text.h"
+#include "app/trade/costs.h"
 #include "app/trade/features.h"
 #include "app/trade/score.h"
 #include "app/trade/trade.h"
@@ -19,7 +20,7 @@ constexpr double unseen = 0.5;  // pixels
 // The scene without one feature, against the scene.
 struct Removal {
   const CaseRun* run = nullptr;
-  double saved = 0;  // share of the scene's wall time
+  double saved = 0;  // share of what the scene costs
   Apart change;
 };
 
@@ -73,10 +74,12 @@ int ablate(const Options& options) {
     scorer.set(references);
     for (const TradeCase& which : cases) {
       const CaseRun& run = notebook.run(which, notebook.left());
-      Removal removal{&run, 1 - run.work.least() / whole.work.least(), {}};
+      Removal removal{&run, 0, {}};
       if (run.status == CaseStatus::done) removal.change = scorer.apart(run, whole);
       removals.push_back(removal);
     }
+    const Costs costs(notebook.runs(), {});
+    for (Removal& removal : removals) removal.saved = 1 - costs.seconds(*removal.run) / costs.seconds(whole);
   } catch (const Interrupted&) {
     return exit_interrupted;
   }

@@ -54,6 +54,13 @@ std::string error_text(const Apart& apart) {
   return percent(apart.rms) + " (" + formatted("%.2g", apart.pixels) + " px)";
 }
 
+std::string bounded_text(const Score& score) {
+  if (!whole_error(score)) return "no error known";
+  const Apart& error = *whole_error(score);
+  if (score.bound.rms > told_apart * error.rms) return "below " + error_text(score.bound);
+  return error_text(error) + ", at most " + percent(score.bound.rms);
+}
+
 std::string advice_text(const Measurement& m, const Advice& advice, const std::filesystem::path& settings) {
   if (!advice.chosen) return "No advice: no error is known.\n";
   const Score& chosen = *advice.chosen;
@@ -65,12 +72,13 @@ std::string advice_text(const Measurement& m, const Advice& advice, const std::f
             ", not for the whole scene: errors grow with time\n";
   if (!chosen.total) text += "note: the error is that of time alone: no mesh error is known\n";
   if (advice.own && whole_error(*advice.own))
-    text += "The scene as it is: " + error_text(*whole_error(*advice.own)) + ", " + seconds_text(advice.own->seconds) +
+    text += "The scene as it is: " + bounded_text(*advice.own) + ", " + seconds_text(advice.own->seconds) +
             " per simulated second\n";
   text += "Advice for " + m.goal.text + ": " + chosen.run->which.label + "\n";
-  text += "  predicted " + error_text(*whole_error(chosen)) + ", at most " + percent(chosen.bound.rms) + ", " +
-          seconds_text(chosen.seconds) + " per simulated second; found " + error_text(*whole_error(advice.found)) +
-          ", " + seconds_text(advice.fresh->work.least()) + " (CPU " + seconds_text(advice.fresh->work.cpu) + ")\n";
+  text += "  predicted " + bounded_text(chosen) + ", " + seconds_text(chosen.seconds) +
+          " per simulated second; found " + bounded_text(advice.found) + ", " + seconds_text(advice.found.seconds) +
+          " (on this machine now: wall " + seconds_text(advice.fresh->work.least()) + ", CPU " +
+          seconds_text(advice.fresh->work.cpu) + ")\n";
   text += "  ritz record " + m.comparison.options.scene.string() + " --settings " + settings.string();
   for (const auto& [key, value] : chosen.run->which.settings)
     if (key == thread_option) text += " " + key + " " + value;

@@ -19,6 +19,8 @@ struct Advice {
 
 // "0.62 % (2.1 px)"
 std::string error_text(const Apart& apart);
+// "0.52 % (3.3 px), at most 0.78 %"; "below 0.26 % (1.6 px)" where less cannot be told from nothing.
+std::string bounded_text(const Score& score);
 
 // The settings; error and time as predicted and as found; the command: three lines. Notes in front of them say what is
 // not as it should be.

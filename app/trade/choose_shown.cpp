@@ -8,9 +8,7 @@ namespace app {
 namespace {
 
 Shown shown_of(const std::string& name, const Score& score) {
-  const auto& error = score.total ? score.total : score.time ? score.time : score.model;
-  return {name, (error ? error_text(*error) : std::string("no error known")) + formatted(", %.2g s", score.seconds),
-          score.run};
+  return {name, bounded_text(score) + formatted(", %.2g s", score.seconds), score.run};
 }
 
 const Score& named(const std::vector<const Score*>& scores, const std::string& name) {

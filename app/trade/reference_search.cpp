@@ -94,6 +94,11 @@ int fine_enough(int fine, double uncertainty, double wanted) {
   return fine * times;
 }
 
+void prepare_reference(Measurement& m) {
+  const Spending spending(m, "reference");
+  reference_runs(m, coarsest);
+}
+
 bool refine_reference(Measurement& m, const std::function<double()>& wanted) {
   const Spending spending(m, "reference");
   const References& references = m.scorer.references();

@@ -11,6 +11,9 @@ namespace app {
 // reference: then no error is known, and a note says why.
 int find_reference(Measurement& m, int fine);
 
+// Makes the coarsest reference, so that there is one whatever takes the time after it.
+void prepare_reference(Measurement& m);
+
 // Just fine enough: with more and more steps, until its uncertainty is what `wanted` then says, or the time does not
 // allow more. Errors of the goal. False: none.
 bool refine_reference(Measurement& m, const std::function<double()>& wanted);

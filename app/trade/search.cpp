@@ -104,6 +104,7 @@ bool Search::aimed() {
   StepSearch steps(m_);
   const bool by_time = m_.goal.kind == Goal::Kind::time;
   if (by_time) {
+    prepare_reference(m_);
     steps.first_runs();
     steps.fill(m_.goal.value);
   }

@@ -136,7 +136,11 @@ Advice Trade::advise() {
   if (!advice.chosen) return advice;
   advice.fresh = std::make_unique<const CaseRun>(notebook_.run_afresh(advice.chosen->run->which));
   advice.found = scorer_.judge(*advice.fresh);
-  advice.found.seconds = advice.fresh->work.least();
+  // As its time was predicted: what it costs by itself. Whatever else ran, it cost no more than the least of these.
+  const Work& work = advice.fresh->work;
+  advice.found.seconds = std::min(work.least(), work.cpu);
+  if (!advice.fresh->timed.empty())
+    advice.found.seconds = std::min(advice.found.seconds, sim::unit_costs(advice.fresh->timed).of(work.counts()));
   const std::string comment = "ritz trade " + options_.scene.string() + ": for " + measurement_.goal.text + ": " +
                               advice.chosen->run->which.label;
   write_atomically(folder_ / "advice.toml", advice_toml(advice.chosen->run->which, comment), false);

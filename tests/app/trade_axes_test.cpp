@@ -1,7 +1,10 @@
 // What a trade tries, beside schemes and steps: only what the scene has.
 #include <algorithm>
+#include <cmath>
+#include <thread>
 
 #include "app/base/gnuplot.h"
+#include "app/base/other_load.h"
 #include "app/scene/scene_file.h"
 #include "app/trade/advice.h"
 #include "app/trade/lists.h"
@@ -91,6 +94,19 @@ TEST(TradeAdvice, TakesARunOfTheReferenceWhereThatMeetsTheTarget) {
   const Score* const chosen = choose({&scores[0], &scores[1]}, goal);
   EXPECT_EQ(chosen, &scores[0]);
   EXPECT_TRUE(meets(*chosen, goal));
+}
+
+// What this program does itself is no load of others.
+TEST(OtherLoad, IsWhatOtherProgramsDo) {
+  const OtherLoad load;
+  const double before = own_cpu_seconds();
+  double sum = 0;
+  while (own_cpu_seconds() < before + 0.2) sum += std::sqrt(sum + 1);
+  EXPECT_GT(sum, 0);
+  const auto cores = load.cores();
+  if (!cores) GTEST_SKIP() << "the system does not tell";
+  EXPECT_GE(*cores, 0);
+  EXPECT_LT(*cores, std::thread::hardware_concurrency() + 0.1);
 }
 
 TEST(Gnuplot, SaysWhyItHasNotDrawn) {

@@ -159,6 +159,10 @@ TEST_F(TradeTest, LeavesAdviceThatIsASettingsFile) {
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_NE(said.find("Advice for an error of 5%: "), std::string::npos) << said;
   EXPECT_NE(said.find("; found "), std::string::npos);
+  // The reference is as fine as the target asks, and no finer.
+  const auto all = rows(with.out);
+  EXPECT_TRUE(all.contains("tr-bdf2 h=1/120, tolerance 1e-6"));
+  EXPECT_FALSE(all.contains("tr-bdf2 h=1/480, tolerance 1e-6"));
   // With these settings the scene is the case that is advised, which keeps to the target.
   const std::string head = "Advice for an error of 5%: ";
   const std::size_t begin = said.find(head) + head.size();
