@@ -227,6 +227,9 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   CLI::App& explain = command("explain");
   CLI::Option* const keys =
       explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
+  add_named(explain, "--compare", options.compare,
+            "Run folder with VTU files, made without a basis, beside which bodies with one are put", "DIR")
+      ->excludes(keys);
   explain.get_option("SCENE")->required(false);
   explain.get_option("SCENE")->excludes(keys);
   command("scenes").add_flag("--names", options.names, "Print the names only");

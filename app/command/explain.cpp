@@ -3,6 +3,7 @@
 #include "app/base/exit_code.h"
 #include "app/base/text.h"
 #include "app/command/commands.h"
+#include "app/command/explain_bases.h"
 #include "app/scene/key_reference.h"
 #include "app/scene/keys.h"
 #include "app/scene/simulation.h"
@@ -99,6 +100,7 @@ int explain(const Options& options) {
   print_bodies(*simulation.system);
   print_terms(*simulation.system);
   print_costs(*simulation.system);
+  print_bases(simulation, options);
   print_changed_keys(simulation.document);
   for (const std::string& remark : simulation.remarks()) std::cout << "note: " << remark << '\n';
   return exit_done;

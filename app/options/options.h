@@ -49,6 +49,7 @@ struct Options {
   int count = 6;                            // modes: of each body
   bool names = false;                       // scenes: print their names only
   bool keys = false;                        // explain: print the reference of the keys, no scene
+  std::filesystem::path compare;            // explain: a run of all nodes, beside which a basis is put; empty: none
   std::filesystem::path problem;            // residuals: the problem file; empty: those that come with the program
   bool anyway = false;                      // residuals: Ritz's method where L is not self-adjoint too
   TradeOptions trade;

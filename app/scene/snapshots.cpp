@@ -59,4 +59,14 @@ std::shared_ptr<const Eigen::MatrixXd> read_snapshots(const fs::path& run, const
   return all;
 }
 
+std::vector<std::int64_t> snapshot_frames(const fs::path& run) {
+  std::vector<std::int64_t> frames;
+  for (const fs::path& file : vtu_files(run)) {
+    const std::string name = file.stem().string(), digits = name.substr(name.find_last_not_of("0123456789") + 1);
+    if (digits.empty() || digits.size() > 12) throw FileError(file.string() + ": its name has no number of a frame");
+    frames.push_back(std::stoll(digits));
+  }
+  return frames;
+}
+
 }  // namespace app

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "sim/scene.h"
 
@@ -13,5 +15,8 @@ namespace app {
 // of their names. The run was of this scene, or of this body alone. Throws FileError.
 std::shared_ptr<const Eigen::MatrixXd> read_snapshots(const std::filesystem::path& run, const sim::Scene& scene,
                                                       std::size_t body);
+
+// The frames whose states it has left, rising, as its files are numbered. Throws FileError.
+std::vector<std::int64_t> snapshot_frames(const std::filesystem::path& run);
 
 }  // namespace app

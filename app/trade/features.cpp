@@ -26,6 +26,9 @@ void add_body_features(const Document& scene, std::size_t b, std::vector<TradeCa
   add(!body.loads.pressures.empty(), "pressures", "pressure", "[]");
   add(!body.loads.forces.empty(), "forces at points", "force", "[]");
   add(body.untangle > 0, "untangling", "untangle", "0");
+  // Of several bodies none would be left with a basis alone.
+  add(body.basis && scene.scene.bodies.size() == 1, "basis (all nodes instead)", "basis.kind", "none");
+  add(body.basis && body.basis->cubature > 0, "cubature (all elements summed)", "basis.cubature", "0");
   add(body.materials.size() > 1, "regions of other material", "region", "[]");
   add(element.order == 2, "quadratic elements (" + linear + " instead)", "mesh.element", linear);
   add(model != "linear", "nonlinear material (linear instead)", "material.model", "linear");

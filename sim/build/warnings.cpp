@@ -6,6 +6,7 @@
 
 #include "sim/build/bending.h"
 #include "sim/element/element.h"
+#include "sim/reduce/at_rest.h"
 
 namespace sim {
 
@@ -114,6 +115,28 @@ void warn_of_mass_solve(const Parts& parts, Remarks& remarks) {
     remarks.push_back("consistent mass in an explicit scheme: every step solves a linear system with M");
 }
 
+// Bending shortens a beam. What moves along vibration modes alone cannot get shorter, and is stretched instead.
+void warn_of_turning_modes(const Parts& parts, Remarks& remarks) {
+  constexpr double noticed = 0.05;  // of the body's size
+  const Model& model = parts.model;
+  const auto in_modes = [](const Body& body) { return body.basis && body.basis->kind == BasisKind::modes; };
+  if (!parts.reduction || std::none_of(model.bodies.begin(), model.bodies.end(), in_modes)) return;
+  const AtRest rest(*parts.reduction);
+  const Eigen::VectorXd u = rest.displacement(*parts.reduction, rest.f);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (!in_modes(model.bodies[b])) continue;
+    const BodyRange& range = model.ranges[b];
+    const auto own = u.segment(Eigen::Index{range.first_node} * model.D, Eigen::Index{range.node_count} * model.D);
+    const double share = own.reshaped(model.D, range.node_count).colwise().norm().maxCoeff() / range.size;
+    if (share > noticed)
+      remarks.push_back(
+          "basis: the loads at the start bend \"" + range.name + "\" by " + percent(share) +
+          " of its size, and vibration modes alone are far too stiff where a body turns: 40 of them leave "
+          "2.3 % of a beam's length where 2 modes and their 3 derivatives leave 0.03 %; take kind = "
+          "\"derivatives\"");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const Parts& parts) {
@@ -123,6 +146,7 @@ std::vector<std::string> warnings(const Parts& parts) {
     warn_of_slender_bending(parts, body, remarks);
     warn_of_falling_energy(body, remarks);
   }
+  warn_of_turning_modes(parts, remarks);
   warn_of_mass_solve(parts, remarks);
   warn_of_nothing_to_move(parts, remarks);
   return remarks;

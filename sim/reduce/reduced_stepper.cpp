@@ -69,11 +69,15 @@ StepReport ReducedStepper::step(State& state) {
     const Stopwatch watch(seconds);
     if (state.coordinates.c.size() != reduction_.lift->coordinates()) reduction_.enter(state);
     inner_.step = state.step;
+    inner_.energy_most = state.energy_most;
+    inner_.kinetic_most = state.kinetic_most;
     exchange(inner_, state);
     report = stepper_->step(inner_);
     exchange(inner_, state);
     if (report.failure.empty()) {
       state.step = inner_.step;
+      state.energy_most = inner_.energy_most;
+      state.kinetic_most = inner_.kinetic_most;
       state.x_before.swap(state.x);
       state.v_before.swap(state.v);
       reduction_.lift->place(state.coordinates.c, state.x);

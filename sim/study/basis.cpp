@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +30,7 @@ class Rest {
   Rest(const Scene& scene, std::size_t body)
       : system_(at_rest_alone(scene, body)), pencil_(system_), model_(parts_of(system_).model) {}
 
+  const System& system() const { return system_; }
   const Pencil& pencil() const { return pencil_; }
   const Model& model() const { return model_; }
 
@@ -125,7 +125,7 @@ class StiffnessChange {
 
 Eigen::MatrixXd derivatives_of(const Rest& rest, const Eigen::MatrixXd& psi) {
   const Pencil& pencil = rest.pencil();
-  const Eigen::SimplicialLDLT<SparseMatrix> factor(pencil.K);
+  PencilFactor factor(rest.system(), 0);
   const Eigen::Index k = psi.cols();
   Eigen::MatrixXd Phi = Eigen::MatrixXd::Zero(psi.rows(), k * (k + 1) / 2);
   StiffnessChange change(rest);
@@ -135,7 +135,8 @@ Eigen::MatrixXd derivatives_of(const Rest& rest, const Eigen::MatrixXd& psi) {
       Eigen::VectorXd b(pencil.size());
       for (Eigen::Index n = 0, row = 0; n < psi.rows(); ++n)
         if (pencil.free[n] != 0) b[row++] = -dK(n, j - i);
-      const Eigen::VectorXd x = factor.solve(b);
+      Eigen::VectorXd x(pencil.size());
+      factor.solve(b.data(), x.data());
       for (Eigen::Index n = 0, row = 0; n < psi.rows(); ++n)
         if (pencil.free[n] != 0) Phi(n, pair) = x[row++];
     }

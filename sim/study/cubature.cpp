@@ -1,9 +1,7 @@
 #include "sim/study/cubature.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -11,97 +9,15 @@
 #include "sim/build/parts.h"
 #include "sim/build/sample.h"
 #include "sim/linear/nonnegative.h"
-#include "sim/solve/tangent_operator.h"
 #include "sim/stepper.h"
+#include "sim/study/swing.h"
 
 namespace sim {
 
 namespace {
 
-constexpr int steps_a_swing = 40;
 constexpr double tenth = 0.1;          // of the body's size, by which the weight along an axis bends it
 constexpr int most_candidates = 4000;  // elements among which some are chosen
-
-// The body alone under its loads as they are when they have risen, with all of its elements.
-Scene training_scene(const Scene& scene, std::size_t number) {
-  Scene one = scene;
-  one.bodies = {scene.bodies[number]};
-  one.obstacles.clear();
-  one.contacts.clear();
-  one.springs.clear();
-  one.probes.clear();
-  Body& body = one.bodies[0];
-  auto vectors = std::make_shared<BasisVectors>(*body.basis->vectors);
-  vectors->cubature.reset();
-  body.basis->vectors = std::move(vectors);
-  for (Traction& load : body.loads.tractions) load.ramp = 0;
-  for (Pressure& load : body.loads.pressures) load.ramp = 0;
-  for (PointForce& load : body.loads.forces) load.ramp = 0;
-  one.time.integrator = "trapezoidal";
-  one.solver = {};
-  return one;
-}
-
-// Under nothing but a weight along an axis.
-Scene weighed(Scene one, int axis, double acceleration) {
-  Body& body = one.bodies[0];
-  body.loads = {};
-  body.start = {};
-  body.velocity.setZero();
-  body.spin = {};
-  one.world.gravity = acceleration * Vec3::Unit(axis);
-  return one;
-}
-
-// How the body answers at rest, in its basis.
-struct Response {
-  double omega = 0;          // rad/s, the slowest
-  Eigen::VectorXd per_axis;  // m: the largest displacement under a unit of acceleration along each axis
-  double size = 0;           // m
-};
-
-Response response_of(Scene one) {
-  one.world.gravity.setZero();
-  const System system(weighed(one, 0, 0));
-  const Model& model = parts_of(system).moving();
-  const Eigen::Index r = model.dofs();
-  TangentOperator tangent(model, 1);
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(r);
-  Eigen::VectorXd f(r), p(r), Kp(r);
-  tangent.begin_step({still, still, 0, 0});
-  tangent.linearise({still, still, 0, 0}, 0, Definiteness::clamp, f);
-  Eigen::MatrixXd K(r, r);
-  for (Eigen::Index k = 0; k < r; ++k) {
-    p = Eigen::VectorXd::Unit(r, k);
-    tangent.multiply(p, Kp);
-    K.col(k) = Kp;
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K);
-  const Reduction& reduction = *parts_of(system).reduction;
-  Response response;
-  response.omega = std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
-  response.per_axis.resize(one.dimension);
-  for (int axis = 0; axis < one.dimension; ++axis) {
-    Eigen::VectorXd along = Eigen::VectorXd::Zero(reduction.lift->dofs());
-    for (Eigen::Index i = axis; i < along.size(); i += one.dimension) along[i] = 1;
-    const Eigen::VectorXd g = reduction.mass.transpose() * along;
-    const Eigen::VectorXd c =
-        eigen.eigenvectors() * (eigen.eigenvectors().transpose() * g).cwiseQuotient(eigen.eigenvalues());
-    Eigen::VectorXd u;
-    reduction.lift->move(c, u);
-    response.per_axis[axis] = u.reshaped(one.dimension, u.size() / one.dimension).colwise().norm().maxCoeff();
-  }
-  response.size = system.bodies()[0].size;
-  return response;
-}
-
-// So many steps a period of the slowest motion; time counts in integers.
-void set_step(double omega, Time& time) {
-  const double frequency = steps_a_swing * omega / (2 * std::numbers::pi);
-  time.substeps = time.unit = 1;
-  time.fps = static_cast<int>(std::clamp(std::round(frequency), 1.0, 1e6));
-  if (frequency < 1) time.unit = static_cast<int>(std::min(std::round(1 / frequency), 1e6));
-}
 
 // The coordinates at every `stride`-th step of a swing, one state a column.
 void add_swing(const Scene& one, int stride, int threads, std::vector<Eigen::VectorXd>& states) {
@@ -115,21 +31,21 @@ void add_swing(const Scene& one, int stride, int threads, std::vector<Eigen::Vec
 }
 
 Eigen::MatrixXd swings(const Scene& scene, std::size_t b, int threads) {
-  Scene one = training_scene(scene, b);
-  const Response response = response_of(one);
-  set_step(response.omega, one.time);
+  Scene one = alone_in_basis(scene, b);
+  const Response response = response_in_basis(one);
+  one = swinging(std::move(one), response.omega);
   std::vector<Eigen::VectorXd> states;
   add_swing(one, 1, threads, states);
   for (int axis = 0; axis < scene.dimension; ++axis)
     if (response.per_axis[axis] > 0)
-      add_swing(weighed(one, axis, tenth * response.size / response.per_axis[axis]), 2, threads, states);
+      add_swing(under_weight(one, axis, tenth * response.size / response.per_axis[axis]), 2, threads, states);
   Eigen::MatrixXd c(one.bodies[0].basis->vectors->U.cols(), std::ssize(states));
   for (std::size_t k = 0; k < states.size(); ++k) c.col(static_cast<Eigen::Index>(k)) = states[k];
   return c;
 }
 
 Eigen::MatrixXd of_snapshots(const Scene& scene, std::size_t b) {
-  const System system(training_scene(scene, b));
+  const System system(alone_in_basis(scene, b));
   const Reduction& reduction = *parts_of(system).reduction;
   const Eigen::MatrixXd& all = *scene.bodies[b].basis->snapshots;
   Eigen::MatrixXd c(reduction.lift->coordinates(), all.cols());
@@ -151,7 +67,7 @@ std::vector<int> candidates(int elements) {
 
 // The elastic forces on the coordinates, of all elements.
 Eigen::MatrixXd whole_forces(const Scene& scene, std::size_t b, const Eigen::MatrixXd& c) {
-  const System system(training_scene(scene, b));
+  const System system(alone_in_basis(scene, b));
   const Model& model = parts_of(system).model;
   const Lift& lift = *parts_of(system).reduction->lift;
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(lift.dofs());

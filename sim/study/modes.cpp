@@ -2,13 +2,13 @@
 
 #include <Spectra/MatOp/SparseCholesky.h>
 #include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/MatOp/SymShiftInvert.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <Spectra/SymGEigsSolver.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "sim/body/start.h"
 #include "sim/study/pencil.h"
@@ -33,18 +33,39 @@ Pairs dense_pairs(const Pencil& pencil, Eigen::Index count) {
   return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
 }
 
+// (K - sigma M)^{-1}, as Spectra asks for it.
+class ShiftInvert {
+ public:
+  using Scalar = double;
+  ShiftInvert(const System& system, double sigma) : factor_(std::make_unique<PencilFactor>(system, -sigma)) {}
+  Eigen::Index rows() const { return factor_->size(); }
+  Eigen::Index cols() const { return factor_->size(); }
+  void set_shift(double /*sigma*/) {}  // it has it
+  void perform_op(const double* b, double* x) const { factor_->solve(b, x); }
+
+ private:
+  std::unique_ptr<PencilFactor> factor_;
+};
+
 // Shift and invert about a value a little below zero, so that K - sigma M has a factor where K has none.
-Pairs sparse_pairs(const Pencil& pencil, Eigen::Index count) {
-  using Shift = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
+Pairs sparse_pairs(const System& system, const Pencil& pencil, Eigen::Index count) {
   const double sigma = -1e-9 * pencil.K.diagonal().maxCoeff() / pencil.M.diagonal().maxCoeff();
-  Shift shift(pencil.K, pencil.M);
+  ShiftInvert shift(system, sigma);
   Product product(pencil.M);
   const Eigen::Index space = std::min(pencil.size(), 4 * count + 20);
-  Spectra::SymGEigsShiftSolver<Shift, Product, Spectra::GEigsMode::ShiftInvert> solver(shift, product, count, space,
-                                                                                       sigma);
+  Spectra::SymGEigsShiftSolver<ShiftInvert, Product, Spectra::GEigsMode::ShiftInvert> solver(shift, product, count,
+                                                                                             space, sigma);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10, Spectra::SortRule::SmallestAlge);
   return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+// The largest component, and of several that are equal but for round-off the first.
+double leading(const Eigen::VectorXd& psi) {
+  constexpr double as_large = 1 - 1e-6;
+  const double largest = psi.cwiseAbs().maxCoeff();
+  return *std::find_if(psi.begin(), psi.end(),
+                       [&](double component) { return std::abs(component) >= as_large * largest; });
 }
 
 }  // namespace
@@ -55,7 +76,7 @@ Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
   if (pencil.size() == 0) return {{}, Eigen::MatrixXd(pencil.free.size(), 0)};  // all nodes are pinned
   const Eigen::Index wanted = std::min<Eigen::Index>(count, pencil.size());
   const bool dense = pencil.size() <= few || 4 * wanted > pencil.size();
-  const Pairs pairs = dense ? dense_pairs(pencil, wanted) : sparse_pairs(pencil, wanted);
+  const Pairs pairs = dense ? dense_pairs(pencil, wanted) : sparse_pairs(system, pencil, wanted);
   Modes modes;
   // What is round-off beside the fastest mode is a rigid motion.
   const double fastest = pencil.K.diagonal().maxCoeff() / pencil.M.diagonal().minCoeff();
@@ -63,11 +84,8 @@ Modes vibration_modes(const Scene& scene, std::size_t body, int count) {
   modes.shape = Eigen::MatrixXd::Zero(pencil.free.size(), pairs.vectors.cols());
   for (Eigen::Index i = 0, row = 0; i < pencil.free.size(); ++i)
     if (pencil.free[i] != 0) modes.shape.row(i) = pairs.vectors.row(row++);
-  for (auto psi : modes.shape.colwise()) {
-    Eigen::Index largest = 0;
-    psi.cwiseAbs().maxCoeff(&largest);
-    if (psi[largest] < 0) psi = -psi;
-  }
+  for (auto psi : modes.shape.colwise())
+    if (leading(psi) < 0) psi = -psi;
   return modes;
 }
 

@@ -5,16 +5,29 @@
 namespace app {
 namespace {
 
-// A member of a basis that is there as soon as one of its keys is.
+// A member of a basis, where its kind has made one.
 template <auto member>
 constexpr Binding of_basis = {[](const Document& d, const Indices& i) -> std::optional<Value> {
                                 const auto& basis = body_of(d, i).basis;
                                 return basis ? to_optional((*basis).*member) : std::nullopt;
                               },
                               [](Document& d, const Indices& i, const Value& value) {
-                                auto& basis = body_of(d, i).basis;
-                                from_value(value, (basis ? *basis : basis.emplace()).*member);
+                                if (auto& basis = body_of(d, i).basis) from_value(value, (*basis).*member);
                               }};
+
+// None comes first of all keys, and those after it then find no basis.
+std::vector<std::string_view> basis_names() {
+  std::vector<std::string_view> names = names_of<sim::BasisKind>();
+  names.push_back("none");
+  return names;
+}
+constexpr Binding kind = {of_basis<&sim::Basis::kind>.get, [](Document& d, const Indices& i, const Value& value) {
+                            auto& basis = body_of(d, i).basis;
+                            if (std::get<std::string>(value) == "none")
+                              basis.reset();
+                            else
+                              from_value(value, basis.emplace().kind);
+                          }};
 
 constexpr Binding folder = {[](const Document& d, const Indices& i) {
                               const std::filesystem::path& held = d.basis_folders[static_cast<std::size_t>(i[0])];
@@ -34,9 +47,9 @@ std::vector<Key> basis_keys() {
        "Moves the body in a few numbers, x = X + U c, instead of in all of its nodes; sim/reduce/README.md has what "
        "that "
        "costs. Every body of the scene has a basis then, and pins that hold it."},
-      {"body[].basis.kind", Form(Kind::choice).of(names_of<sim::BasisKind>).needed(), of_basis<&sim::Basis::kind>,
+      {"body[].basis.kind", Form(Kind::choice).of(basis_names).needed(), kind,
        "What the vectors are: \"modes\", the slowest vibration modes; \"derivatives\", modes and how they change where "
-       "the body is bent; \"snapshots\", what the states of a run have in common."},
+       "the body is bent; \"snapshots\", what the states of a run have in common; \"none\", all of its nodes."},
       {"body[].basis.count", Form(Kind::integer, "", between(1, 1000)).otherwise("20"), of_basis<&sim::Basis::count>,
        "How many vectors there are."},
       {"body[].basis.cubature", Form(Kind::number, "", between(0, 0.5)).otherwise("0: all elements are summed"),

@@ -1,0 +1,121 @@
+// Bases as scene files have them: keys, the run that they come from, what is refused, what a state keeps.
+#include "app/mesh/vtu.h"
+#include "app/run/state_file.h"
+#include "app/run/vtu.h"
+#include "app/scene/scene_identity.h"
+#include "app/scene/scene_text.h"
+#include "app/scene/simulation.h"
+#include "app/scene/snapshots.h"
+#include "sim/stepper.h"
+#include "tests/app/scene_fixture.h"
+
+namespace app {
+namespace {
+
+class BasisScenes : public SceneFile {
+ protected:
+  static std::string beam(const std::string& basis) {
+    return "[[body]]\nname = \"beam\"\nmesh = { rectangle = [4, 1], cells = [8, 2] }\nmaterial = { young = 1e6 }\n"
+           "pin = [{ group = \"left\" }]\n" +
+           (basis.empty() ? "" : "basis = { " + basis + " }\n");
+  }
+  Simulation simulation(const std::string& text, const std::vector<Override>& overrides = {}) const {
+    Options options;
+    options.scene = file("scene.toml", text);
+    options.overrides = overrides;
+    return build_simulation(options);
+  }
+  // A run of so many frames, as far as its VTU files.
+  void run(const Simulation& simulation, const std::string& folder, int frames) const {
+    std::filesystem::create_directories(folder_ / folder / "vtu");
+    const auto stepper = sim::make_stepper(*simulation.system, 1);
+    sim::State state = simulation.system->initial_state();
+    for (int k = 0; k <= frames; ++k) {
+      if (k > 0) stepper->step(state);
+      write_all(folder_ / folder / "vtu" / ("frame_0000" + std::to_string(k) + ".vtu"),
+                vtu_text(*simulation.system, state));
+    }
+  }
+};
+
+TEST_F(BasisScenes, HaveKindCountAndCubature) {
+  const Document document = load(beam("kind = \"modes\", count = 7, cubature = 0.02"));
+  const sim::Basis& basis = *document.scene.bodies[0].basis;
+  EXPECT_EQ(basis.kind, sim::BasisKind::modes);
+  EXPECT_EQ(basis.count, 7);
+  EXPECT_EQ(basis.cubature, 0.02);
+  EXPECT_EQ(load(beam("kind = \"derivatives\"")).scene.bodies[0].basis->count, 20);
+  EXPECT_FALSE(load(beam("")).scene.bodies[0].basis);
+  EXPECT_FALSE(load(beam("kind = \"modes\", count = 7"), {set("body.0.basis.kind", "none")}).scene.bodies[0].basis);
+  EXPECT_EQ(load(beam(""), {set("body.0.basis.kind", "modes")}).scene.bodies[0].basis->kind, sim::BasisKind::modes);
+}
+
+TEST_F(BasisScenes, AreWrittenAsTheyWereRead) {
+  const Document document = load(beam("kind = \"modes\", count = 7, cubature = 0.02"));
+  const Document again = load(scene_toml(document, folder_.path()));
+  EXPECT_EQ(scene_json(again, {}), scene_json(document, {}));
+  EXPECT_NE(scene_identity(document), scene_identity(load(beam("kind = \"modes\", count = 8"))));
+}
+
+TEST_F(BasisScenes, MistakesAreNamedWithTheirLine) {
+  EXPECT_NE(error(beam("kind = \"mode\"")).find("scene.toml:6"), std::string::npos);
+  EXPECT_NE(error(beam("kind = \"mode\"")).find("\"modes\""), std::string::npos);
+  EXPECT_NE(error(beam("count = 3")).find("'kind' is missing"), std::string::npos);
+  EXPECT_NE(error(beam("kind = \"modes\", count = 0")).find("[1, 1000]"), std::string::npos);
+  EXPECT_NE(error(beam("kind = \"snapshots\", from = \"nowhere\"")).find("holds no vtu/*.vtu"), std::string::npos);
+  const auto refused = [&](const std::string& text) { return error_of([&] { simulation(text); }); };
+  EXPECT_NE(refused(beam("kind = \"snapshots\"")).find("scene.toml:6"), std::string::npos);
+  EXPECT_NE(refused(beam("kind = \"snapshots\"")).find("the run folder whose states make the basis"),
+            std::string::npos);
+  EXPECT_NE(refused(beam("kind = \"modes\"") + "[[body.pin]]\ngroup = \"right\"\nrelease = 1.0\n")
+                .find("holds pins for good"),
+            std::string::npos);
+}
+
+// What a run has gone through makes a basis in which the same scene goes the same way.
+TEST_F(BasisScenes, OfARunGoTheWayOfTheRun) {
+  const Simulation full = simulation(beam(""));
+  run(full, "full", 9);
+  EXPECT_EQ(snapshot_frames(folder_ / "full"), (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  const Simulation reduced = simulation(beam("kind = \"snapshots\", count = 8, from = \"full\""));
+  ASSERT_EQ(reduced.document.scene.bodies[0].basis->snapshots->cols(), 10);
+  const auto a = sim::make_stepper(*full.system, 1), b = sim::make_stepper(*reduced.system, 1);
+  sim::State x = full.system->initial_state(), y = reduced.system->initial_state();
+  for (int k = 0; k < 9; ++k) {
+    a->step(x);
+    b->step(y);
+  }
+  const double moved = (x.x - full.system->initial_state().x).cwiseAbs().maxCoeff();
+  EXPECT_LT((x.x - y.x).cwiseAbs().maxCoeff(), 1e-3 * moved);
+  const std::string other = beam("kind = \"snapshots\", count = 8, from = \"full\"");
+  EXPECT_NE(
+      error_of([&] { simulation(other, {set("body.0.mesh.cells", "[4, 2]")}); }).find("it is the run of another mesh"),
+      std::string::npos);
+}
+
+TEST_F(BasisScenes, StatesKeepTheirCoordinatesInFiles) {
+  const Simulation reduced = simulation(beam("kind = \"derivatives\", count = 5"));
+  const auto stepper = sim::make_stepper(*reduced.system, 1);
+  SavedRun saved;
+  saved.state = reduced.system->initial_state();
+  for (int k = 0; k < 3; ++k) stepper->step(saved.state);
+  ASSERT_EQ(saved.state.coordinates.c.size(), 5);
+  const SavedRun again = decode(encode(saved), "state.bin");
+  EXPECT_EQ(sim::hash(again.state), sim::hash(saved.state));
+  saved.state.coordinates.rate.resize(4);
+  EXPECT_THROW(decode(encode(saved), "state.bin"), std::runtime_error);
+}
+
+// Pulling at a body builds its system anew, and not its basis.
+TEST_F(BasisScenes, ServeAgainWhereTheBodyIsTheSame) {
+  const Simulation first = simulation(beam("kind = \"derivatives\", count = 5"));
+  Document same = load(beam("kind = \"derivatives\", count = 5")),
+           other = load(beam("kind = \"derivatives\", count = 6"));
+  make_bases(same, &first.document);
+  make_bases(other, &first.document);
+  EXPECT_EQ(same.scene.bodies[0].basis->vectors, first.document.scene.bodies[0].basis->vectors);
+  EXPECT_EQ(other.scene.bodies[0].basis->vectors->U.cols(), 6);
+}
+
+}  // namespace
+}  // namespace app
