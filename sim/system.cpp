@@ -6,11 +6,24 @@
 #include "sim/build/build.h"
 #include "sim/build/reduction.h"
 #include "sim/build/warnings.h"
+#include "sim/contact/distance.h"
 #include "sim/solve/contact_pressure.h"
 #include "sim/solve/linear_solver.h"
 #include "sim/time/stable_step.h"
 
 namespace sim {
+
+namespace {
+
+// Of a contact while a step is taken: boxes of primitives and of their trees; and a kilobyte a point, as if a tenth of
+// them had ten pairs with a matrix of 12 x 12 each.
+std::int64_t bytes_of(const ContactTerm& term) {
+  const Skin& skin = term.input().skin;
+  const std::size_t boxes = skin.node.size() + 2 * (skin.edges.size() + skin.faces.size());
+  return static_cast<std::int64_t>(boxes * sizeof(Bounds) + skin.node.size() * sizeof(PairMatrix));
+}
+
+}  // namespace
 
 System::System(const Scene& scene, int threads) : parts_(build(scene, threads)) {}
 System::~System() = default;
@@ -107,6 +120,7 @@ Counts System::counts() const {
   c.bytes = vectors * 8 * c.dofs + (8 + 4) * c.nonzeros + links * c.nonzeros / D2;
   if (parts_->model.solver.linear == LinearSolverKind::cholmod) c.bytes += 12ll * 12 * c.nonzeros;
   for (const ElasticPart& part : parts_->model.elastic) c.bytes += part.term->bytes();
+  for (const ContactTerm* term : parts_->model.contacts) c.bytes += bytes_of(*term);
   c.bytes = program + c.bytes * 6 / 5;
   return c;
 }

@@ -5,8 +5,10 @@
 #include "app/command/commands.h"
 #include "app/record/recorder.h"
 #include "app/record/replay.h"
+#include "app/record/start_picture.h"
 #include "app/run/run_loop.h"
 #include "app/run/run_start.h"
+#include "app/scene/crossed_start.h"
 #include "app/scene/deck.h"
 #include "render/letters.h"
 
@@ -23,9 +25,19 @@ void note_letters(const Simulation& simulation, const Options& options) {
   std::cerr << "note: the font (DejaVu Sans) lacks " << lacking << ": drawn as question marks\n";
 }
 
+// A scene whose bodies do not start apart is refused; --still draws where.
+std::shared_ptr<const Simulation> built(const Options& options) {
+  try {
+    return std::make_shared<const Simulation>(build_simulation(options));
+  } catch (const CrossedStart& error) {
+    if (options.still) draw_start(options, error.places);
+    throw;
+  }
+}
+
 int record_page(const Options& options) {
   if (!options.replay.empty()) return replay(options);
-  const auto simulation = std::make_shared<const Simulation>(build_simulation(options));
+  const auto simulation = built(options);
   note_letters(*simulation, options);
   const RunFolder folder = open_run_folder(options);
   const RunStart start = make_start(*simulation, folder, !options.resume.empty());

@@ -7,6 +7,7 @@
 
 #include "app/panel/plots.h"
 #include "app/panel/sections.h"
+#include "app/run/contact_totals.h"
 #include "app/scene/key_reference.h"
 
 namespace app {
@@ -109,6 +110,8 @@ void Panel::draw_head(const PanelState& state, PanelRequests& requests) const {
     ImGui::SameLine();
     ImGui::TextColored(warning, "%.2g of real time", state.factor);
   }
+  if (state.system.contact_pairs() > 0 && !state.samples.empty())
+    ImGui::TextUnformatted(contact_text(state.samples.back().contacts).c_str());
   if (!state.waiting.empty()) {
     if (ImGui::Button("Restart with changes")) requests.actions.push_back(Action::restart);
     for (const Override& each : state.waiting) ImGui::TextColored(warning, "%s", each.origin.c_str());

@@ -6,6 +6,7 @@
 
 #include "app/base/number_text.h"
 #include "app/base/text.h"
+#include "app/run/contact_totals.h"
 
 namespace app {
 namespace {
@@ -91,14 +92,9 @@ std::string steps_row(const sim::System& system, const sim::State& state, const 
   append_fields(line, {report.newton, report.linear});
   append_fields(line, {report.min_J, report.seconds});
   if (contacts.empty()) return line + '\n';
-  double gap = contacts[0].gap;
-  int pairs = 0;
-  for (const sim::ContactReport& contact : contacts) {
-    gap = std::min(gap, contact.gap);
-    pairs += contact.pairs;
-  }
-  append_fields(line, {gap});
-  append_fields(line, {pairs});
+  const ContactTotals totals = totals_of(contacts);
+  append_fields(line, {totals.gap});
+  append_fields(line, {totals.pairs});
   return line + '\n';
 }
 

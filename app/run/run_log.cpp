@@ -29,11 +29,12 @@ void RunLog::start(const sim::State& state) {
   probes_.row(probes_row(system_, state, probe_count_));
 }
 
-void RunLog::step(const sim::State& state, const sim::StepReport& report) {
+std::vector<sim::ContactReport> RunLog::step(const sim::State& state, const sim::StepReport& report) {
   probes_.row(probes_row(system_, state, probe_count_));
-  const std::vector<sim::ContactReport> contacts = system_.contacts(state);
+  std::vector<sim::ContactReport> contacts = system_.contacts(state);
   steps_.row(steps_row(system_, state, report, contacts));
   if (contacts_) contacts_->row(contacts_rows(system_.time(state.step), contacts));
+  return contacts;
 }
 
 void RunLog::sync() {

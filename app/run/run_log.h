@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "app/run/csv.h"
 #include "app/run/run_folder.h"
+#include "sim/contact/contact_report.h"
 #include "sim/report.h"
 #include "sim/system.h"
 
@@ -20,7 +22,8 @@ class RunLog {
 
   // The initial state: a row of probes, none of steps.
   void start(const sim::State& state);
-  void step(const sim::State& state, const sim::StepReport& report);
+  // Returns what the contacts of the scene do after it.
+  std::vector<sim::ContactReport> step(const sim::State& state, const sim::StepReport& report);
   // What is in the files survives from now on.
   void sync();
   void close();

@@ -12,6 +12,7 @@
 #include "app/base/stopwatch.h"
 #include "app/base/text.h"
 #include "app/picture/frame_history.h"
+#include "app/run/contact_totals.h"
 #include "app/run/curves_log.h"
 #include "app/run/numbers_log.h"
 #include "app/run/read_energies.h"
@@ -74,17 +75,19 @@ class Runner {
   bool step() {
     const sim::StepReport report = stepper_->step(outcome_.run.state);
     if (!outcome_.add(report)) return false;
-    progress_.note(note(report, outcome_.run.totals));
-    log_.step(state(), report);
+    progress_.note(note(report, outcome_.run.totals, log_.step(state(), report)));
     progress_.update(state().step, Progress::Clock::now());
     if (state().step % system_.steps_per_frame() == 0) frame_reached(report);
     return true;
   }
 
-  // ", Newton 3 (increment 2e-05), 3 steps not converged, 12 halved": of the last step, then of all.
-  static std::string note(const sim::StepReport& report, const Totals& totals) {
+  // ", Newton 3 (increment 2e-05), 34 contacts, least gap 0.00021 m, 3 steps not converged, 12 halved": of the last
+  // step, then of all.
+  static std::string note(const sim::StepReport& report, const Totals& totals,
+                          const std::vector<sim::ContactReport>& contacts) {
     std::string text;
     if (report.newton > 0) text = formatted(", Newton %d (increment %.1g)", report.newton, report.increment);
+    if (!contacts.empty()) text += ", " + contact_text(totals_of(contacts));
     if (totals.not_converged > 0) text += ", " + std::to_string(totals.not_converged) + " steps not converged";
     if (totals.splits > 0) text += ", " + std::to_string(totals.splits) + " halved";
     return text;

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "app/base/stopwatch.h"
+#include "app/scene/crossed_start.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_identity.h"
+#include "sim/contact/start_error.h"
 #include "sim/mesh/input_error.h"
 #include "sim/study/basis.h"
 #include "sim/study/modes.h"
@@ -33,6 +35,8 @@ std::shared_ptr<const sim::System> build_system(const Document& document, int th
   try {
     if (!sim::starts_in_a_mode(document.scene)) return std::make_shared<const sim::System>(document.scene, threads);
     return std::make_shared<const sim::System>(sim::with_modes_started(document.scene), threads);
+  } catch (const sim::StartError& error) {
+    throw CrossedStart(located(error, document.places).message, error.places);
   } catch (const sim::InputError& error) {
     throw SceneError(located(error, document.places).message);
   }

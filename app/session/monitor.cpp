@@ -14,6 +14,7 @@ Sample sample_of(double t, const sim::System& system, const sim::State& state, c
           report.newton,
           report.linear,
           report.min_J,
+          totals_of(system.contacts(state)),
           report.seconds_assemble,
           report.seconds_solve,
           other};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "app/run/contact_totals.h"
 #include "sim/report.h"
 #include "sim/system.h"
 
@@ -14,6 +15,7 @@ struct Sample {
   double kinetic = 0, elastic = 0, potential = 0;  // J
   int newton = 0, linear = 0;                      // iterations
   double min_J = 1;
+  ContactTotals contacts = {};
   double assembling = 0, solving = 0, other = 0;  // s of wall time: for the eye only
 };
 

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "sim/mesh/input_error.h"
+#include "sim/contact/start_error.h"
 #include "sim/solve/model.h"
 
 namespace sim {
 
-// Bodies that cross, or touch, at the start could only be forced apart. Throws InputError with this key; x: where the
+// Bodies that cross, or touch, at the start could only be forced apart. Throws StartError with this key; x: where the
 // nodes start.
-void check_contact_start(const ContactTerm& term, const Eigen::VectorXd& x, const std::string& key);
+void check_contact_start(const Model& model, const ContactTerm& term, const Eigen::VectorXd& x, const std::string& key);
 
 }  // namespace sim

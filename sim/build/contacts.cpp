@@ -114,7 +114,7 @@ void add_term(Model& model, ContactTerm::Input input, const std::string& key) {
   auto term = std::make_unique<ContactTerm>(std::move(input), model.X);
   Eigen::VectorXd start = model.x_start, v = Eigen::VectorXd::Zero(model.dofs());
   model.pins.prescribe(0, start, v);
-  check_contact_start(*term, start, key);
+  check_contact_start(model, *term, start, key);
   model.contacts.push_back(term.get());
   model.terms.push_back(std::move(term));
 }

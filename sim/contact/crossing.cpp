@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/round_off.h"
+
 namespace sim {
 
 namespace {
-
-// A place nearer to a plane than this part of the largest coordinate may be on either side of it: what lies in one
-// plane does not cross.
-constexpr double flat = 1e-10;
 
 // Six times the signed volume of a tetrahedron; twice the signed area of a triangle in the plane.
 double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -44,7 +42,7 @@ std::vector<Crossing> crossings(const Skin& skin, const std::vector<Couple>& cou
   Boxes boxes;
   for (Eigen::Index p = 0; p < x.cols(); ++p) boxes.points.emplace_back(x.col(p), x.col(p));
   std::vector<Crossing> all;
-  const double least = x.size() > 0 ? flat * x.cwiseAbs().maxCoeff() : 0;
+  const double least = round_off_gap(x);
   broad_phase.visit_edges_and_faces(couples, boxes, [&](int couple, int edge, int face) {
     const auto& ends = skin.D == 2 ? std::array<int, 2>{skin.faces[edge][0], skin.faces[edge][1]} : skin.edges[edge];
     const auto& f = skin.faces[face];

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "sim/build/parts.h"
+#include "sim/contact/meeting.h"
 
 namespace sim {
 
@@ -15,14 +16,6 @@ Skin skin_of_all(const Model& model, bool wanted) {
   skin.D = model.D;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) add_part(skin, model.bodies[b], model.ranges[b].first_node);
   return skin;
-}
-
-Eigen::Matrix3Xd points_at(const Skin& skin, const Eigen::VectorXd& x) {
-  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(skin.node.size()));
-  for (std::size_t p = 0; p < skin.node.size(); ++p)
-    points.col(static_cast<Eigen::Index>(p)).head(skin.D) =
-        x.segment(static_cast<Eigen::Index>(skin.node[p]) * skin.D, skin.D);
-  return points;
 }
 
 std::set<std::pair<std::string, std::string>> named_pairs(const Model& model) {

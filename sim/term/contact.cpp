@@ -51,10 +51,12 @@ ContactTerm::ContactTerm(Input input, const Eigen::VectorXd& X)
 
 TermInfo ContactTerm::info() const {
   std::ostringstream what;
-  what << in_.skin.node.size() << " points, " << in_.skin.faces.size() << (in_.skin.D == 2 ? " edges" : " faces");
+  what << in_.skin.node.size() << " points, " << in_.skin.faces.size() << (in_.skin.D == 2 ? " edges" : " faces")
+       << ", " << in_.couples.size() << (in_.couples.size() == 1 ? " pair" : " pairs");
   for (const Couple& couple : in_.couples)
     if (&couple == &in_.couples.front() || couple.dh != in_.couples.front().dh) what << ", from " << couple.dh << " m";
-  what << ", stiffness " << in_.couples.front().kappa << " Pa, friction " << in_.friction;
+  what << ", stiffness " << in_.couples.front().kappa << " Pa, offset " << in_.couples.front().xi << " m, friction "
+       << in_.friction;
   return {"contact " + in_.name, what.str()};
 }
 

@@ -258,15 +258,6 @@ TEST(Contact, NeedsStepsThatAreCut) {
   EXPECT_TRUE(error_of(scene).starts_with("solver.newton: \"pure\" is not for scenes with a [[contact]]"));
 }
 
-TEST(Contact, StartsThatCrossOrTouchAreRefused) {
-  const std::string crossing = error_of(test::two_boxes(2, -0.3));
-  EXPECT_NE(crossing.find("contact.0: \"low\" and \"top\" cross each other at the start, at "), std::string::npos)
-      << crossing;
-  const std::string touching = error_of(test::two_boxes(2, 0));
-  EXPECT_NE(touching.find("touch"), std::string::npos) << touching;
-  EXPECT_EQ(error_of(test::two_boxes(2, 1e-6)), "");
-}
-
 TEST(Contact, MistakesAreNamed) {
   Scene scene = test::two_boxes(1, 0.1);
   scene.contacts[0].between = {"low", "tap"};
