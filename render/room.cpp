@@ -36,7 +36,10 @@ float text_size(float width, float height, bool lecture) {
   return std::round(lecture ? std::max(6.0F, per_em * page / 28) : std::max(11.0F, 0.029F * side));
 }
 
-Box room_for(const Contents& contents, int width, int height) {
+namespace {
+
+// What the contents leave free, however little that is.
+Box free_room(const Contents& contents, int width, int height) {
   const double w = width, h = height;
   const double size = text_size(static_cast<float>(width), static_cast<float>(height), contents.look.lecture);
   const double margin = 0.9 * size, edge = margin / 2;
@@ -56,7 +59,18 @@ Box room_for(const Contents& contents, int width, int height) {
   const double strips = contents.strips * (std::min(20 * size, 0.5 * w) + margin);
   const bool beside = strips > 0 && width_of(contents.caption, size) <= w - strips - left - 2 * margin;
   if (!contents.caption.empty() && !beside) bottom += margin + 1.2 * size;
-  Box room{left / w, top / h, 1 - right / w, 1 - bottom / h};
+  return {left / w, top / h, 1 - right / w, 1 - bottom / h};
+}
+
+}  // namespace
+
+bool has_room_for_strips(const Contents& contents, int width, int height) {
+  const Box room = free_room(contents, width, height);
+  return room.bottom - room.top >= least;
+}
+
+Box room_for(const Contents& contents, int width, int height) {
+  Box room = free_room(contents, width, height);
   keep_open(room.left, room.right);
   keep_open(room.top, room.bottom);
   return room;

@@ -102,6 +102,8 @@ Picture::Picture(const sim::System& system, const Document& document, int width,
   contents.labels = shows_labels();
   contents.strips = look.energies ? 1 : 0;
   if (shown) contents.legend = colour_range(*shown, look, expected_reach_).scale.label;
+  shows_energies_ = look.energies && render::has_room_for_strips(contents, width, height);
+  if (!shows_energies_) contents.strips = 0;
   room_ = render::room_for(contents, width, height);
 }
 
@@ -134,7 +136,7 @@ render::Frame Picture::frame(const Moment& moment) const {
   if (look.pins) add_pins(moment.state, frame);
   arrows_.add(moment.state, frame.arrows);
   if (shows_labels()) add_labels(surfaces_.size(), frame);
-  if (look.energies) frame.strips.push_back(energy_strip(moment.energies, document_.scene.time.seconds));
+  if (shows_energies_) frame.strips.push_back(energy_strip(moment.energies, document_.scene.time.seconds));
   if (!moment.sheet) frame.caption = caption(look.caption, system_, moment);
   return frame;
 }

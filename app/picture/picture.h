@@ -44,6 +44,7 @@ class Picture {
   CameraPath camera_path_;
   Floor floor_;
   Arrows arrows_;
+  bool shows_energies_ = false;
   render::Box room_;           // of the bodies in the picture
   double expected_reach_ = 0;  // of the values that colour bodies
 };

@@ -81,7 +81,8 @@ std::vector<Key> text_keys() {
       {"look.labels", Form(Kind::boolean).otherwise("when there are several bodies"), field<look_of, &Look::labels>,
        "Write the name of each body above it."},
       {"look.energies", Kind::boolean, field<look_of, &Look::energies>,
-       "Plot kinetic, elastic, potential and total energy over time."},
+       "Plot kinetic, elastic, potential and total energy over time. Left out where a small picture has no room for "
+       "it."},
       {"look.axes", Form(Kind::boolean).only_in(2), field<look_of, &Look::axes>,
        "Draw axes with numbers at the left and the lower edge."},
       {"look.scale_bar", Form(Kind::boolean).only_in(2), field<look_of, &Look::scale_bar>,
