@@ -65,8 +65,10 @@ void add_labels(std::size_t count, render::Frame& frame) {
     const Seen& own = all[k++];
     const auto hidden = [&](const Eigen::Vector3f& place) {
       const Eigen::Vector2f at = sight(place).head<2>();
-      return std::any_of(all.begin(), all.end(),
-                         [&](const Seen& other) { return other.depth < own.depth && other.box.contains(at); });
+      return std::any_of(all.begin(), all.end(), [&](const Seen& other) {
+        const bool nearer = frame.camera.orthographic || other.depth < own.depth;
+        return &other != &own && nearer && other.box.contains(at);
+      });
     };
     const bool below = hidden(own.top) && !hidden(own.bottom);
     const Eigen::Vector3f& at = below ? own.bottom : own.top;
