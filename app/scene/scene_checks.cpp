@@ -83,10 +83,19 @@ void check_group(const sim::Mesh& mesh, const sim::InGroup& group, sim::GroupPar
   }
 }
 
+// A box or a sphere at rest has something of the mesh in it.
+void check_place(const sim::Mesh& mesh, const sim::Region& region, sim::GroupPart part, const std::string& path,
+                 Mistakes& mistakes) {
+  const bool nodes = part == sim::GroupPart::nodes;
+  if (nodes ? sim::nodes_in(mesh, region).empty() : sim::facets_in(mesh, region).cols() == 0)
+    mistakes.refuse(path, std::string("there is no ") + (nodes ? "node" : "boundary facet") +
+                              " of the body in this region; " + sim::span_text(mesh));
+}
+
 void check_region(const sim::Mesh& mesh, const sim::Region& region, sim::GroupPart part, const std::string& path,
                   Mistakes& mistakes) {
   const auto* group = std::get_if<sim::InGroup>(&region);
-  if (group == nullptr) return;
+  if (group == nullptr) return check_place(mesh, region, part, path, mistakes);
   if (group->name.empty() && group->dimension) {
     mistakes.refuse(path + ".dimension", "is for a group only");
   } else {
@@ -140,6 +149,16 @@ void check_body_name(const Document& document, const std::string& name, const st
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string known = names.empty() ? " and no other" : "; there are: " + listed(names);
   mistakes.refuse(path, "there is no such body" + known + suggestion(name, views));
+}
+
+// `path` is of what names the body and the place at rest.
+void check_point(const Document& document, const std::string& name, const Vec3& at, const std::string& path,
+                 Mistakes& mistakes) {
+  const std::vector<sim::Body>& bodies = document.scene.bodies;
+  check_body_name(document, name, path + ".body", mistakes);
+  const auto body = std::ranges::find(bodies, name, &sim::Body::name);
+  if (body == bodies.end() || body->mesh.element_count() == 0 || sim::locate(body->mesh, at)) return;
+  mistakes.refuse(path + ".at", "the point is outside the body; " + sim::span_text(body->mesh));
 }
 
 // A kind has its own keys among those of all exhibits.
@@ -222,11 +241,18 @@ void check_consistency(const std::vector<Item>& items, const Document& document,
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
     check_times(scene.obstacles[i].motion, "obstacle." + std::to_string(i) + ".motion.keyframes", mistakes);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    check_body(scene.bodies[i], "body." + std::to_string(i), mistakes);
+    const std::string path = "body." + std::to_string(i);
+    const sim::Body& body = scene.bodies[i];
+    if (body.mesh.element_count() == 0) continue;  // refused already
+    check_body(body, path, mistakes);
+    for (std::size_t k = 0; k < body.loads.forces.size(); ++k)
+      check_point(document, body.name, body.loads.forces[k].at, path + ".force." + std::to_string(k), mistakes);
   }
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    check_body_name(document, scene.probes[i].body, "probe." + std::to_string(i) + ".body", mistakes);
+    check_point(document, scene.probes[i].body, scene.probes[i].at, "probe." + std::to_string(i), mistakes);
   }
+  for (std::size_t i = 0; i < scene.springs.size(); ++i)
+    check_point(document, scene.springs[i].body, scene.springs[i].at, "spring." + std::to_string(i), mistakes);
   check_exhibits(items, document, mistakes);
   check_picture(document, mistakes);
 }

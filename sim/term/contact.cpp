@@ -270,13 +270,6 @@ Nearness ContactTerm::nearest(const Eigen::VectorXd& x, double t) const {
   return least;
 }
 
-std::vector<Crossing> ContactTerm::crossings(const Eigen::VectorXd& x) const {
-  const auto store = make_store(1);
-  auto& s = static_cast<Contacts&>(*store);
-  place(x, s);
-  return sim::crossings(in_.skin, in_.couples, broad_phase_, s.x);
-}
-
 // Looks for candidates on the whole way first, on ever shorter parts of it where they would be too many.
 double ContactTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store& store) const {
   constexpr std::size_t most_each = 64;  // candidates a point, on average: a wild way must not fill the memory

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "sim/contact/contact_report.h"
-#include "sim/contact/crossing.h"
 #include "sim/contact/nearness.h"
 #include "sim/contact/stick.h"
 #include "sim/contact/touch.h"
@@ -52,8 +51,6 @@ class ContactTerm final : public Term {
   std::vector<ContactReport> reports(const Motion& begin, const Motion& motion) const;
   // The two that are nearest each other, if any are near.
   Nearness nearest(const Eigen::VectorXd& x, double t) const;
-  // Places where surfaces cross each other at x.
-  std::vector<Crossing> crossings(const Eigen::VectorXd& x) const;
   const Input& input() const { return in_; }
 
   bool limits_moves() const override { return true; }
