@@ -19,7 +19,7 @@ void print_projection(const sim::System& system, const char* what, const Eigen::
   const std::optional<double> error = u.cols() > 0 ? sim::projection_error(system, u) : std::nullopt;
   std::cout << "  " << what << ": "
             << (error
-                    ? formatted("%.6g %% of its mass norm can be represented, squared; %.2g %% of the norm is left out",
+                    ? formatted("%.6g %% of its squared mass norm can be represented, %.2g %% of the norm is left out",
                                 100 * (1 - *error * *error), 100 * *error)
                     : std::string("nothing is displaced, or it has no solution"))
             << '\n';

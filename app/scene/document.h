@@ -22,6 +22,7 @@ struct Document {
   std::vector<MeshSpec> meshes;               // body by body: the description that scene.bodies[i].mesh was made from
   std::vector<ObstacleMesh> obstacle_meshes;  // obstacle by obstacle
   std::vector<std::filesystem::path> start_files;  // body by body: that scene.bodies[i].start.nodes came from; or empty
+  std::vector<char> without_basis;                 // body by body: basis.kind is "none", whatever else it says
   std::vector<std::filesystem::path> basis_folders;  // body by body: the run whose states its basis has; or empty
   std::vector<std::optional<Vec3>> references;       // probe by probe: the displacement it should have at the end [m]
   Camera camera;

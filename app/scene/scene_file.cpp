@@ -102,6 +102,7 @@ void read_starts(Document& document, const std::filesystem::path& folder, Mistak
 void read_bases(Document& document, const std::filesystem::path& folder, Mistakes& mistakes) {
   for (std::size_t i = 0; i < document.basis_folders.size(); ++i) {
     std::filesystem::path& from = document.basis_folders[i];
+    if (document.without_basis[i]) document.scene.bodies[i].basis.reset();
     if (from.empty() || !document.scene.bodies[i].basis) continue;
     from = folder / from;
     mistakes.collect([&] {

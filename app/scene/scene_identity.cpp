@@ -1,5 +1,7 @@
 #include "app/scene/scene_identity.h"
 
+#include <algorithm>
+
 #include "app/scene/scene_text.h"
 #include "sim/math/checksum.h"
 
@@ -43,6 +45,7 @@ std::uint64_t scene_identity(const Document& document) {
   for (ObstacleMesh& mesh : simulated.obstacle_meshes) mesh.spec.file = mesh.spec.file.filename();
   for (std::filesystem::path& file : simulated.start_files) file.clear();  // the nodes themselves are told
   for (std::filesystem::path& folder : simulated.basis_folders) folder.clear();
+  std::ranges::fill(simulated.without_basis, 0);
   std::uint64_t sum = sim::checksum(scene_json(simulated, {}));
   for (const sim::Body& body : document.scene.bodies) sum = checksum_of_mesh(body.mesh, sum);
   for (const sim::Body& body : document.scene.bodies)

@@ -158,7 +158,7 @@ Eigen::MatrixXd vectors_of(const Scene& scene, std::size_t b, const Rest& rest, 
   const Basis& basis = *scene.bodies[b].basis;
   if (basis.kind == BasisKind::snapshots) {
     if (!basis.snapshots || basis.snapshots->rows() != rest.model().dofs())
-      throw InputError(key_of("body", b) + ".basis.from", "is missing: the run folder whose states make the basis");
+      throw InputError("basis.from", "is missing: the run folder whose states make the basis");
     return principal(rest, *basis.snapshots);
   }
   modes = basis.kind == BasisKind::modes ? basis.count : modes_for(basis.count);
@@ -176,7 +176,7 @@ BasisVectors make_vectors(const Scene& scene, std::size_t b) {
                               " rigid motions are left), and x = X + U c cannot follow a body that turns; pin it, or "
                               "leave out the basis");
   BasisVectors made;
-  const Eigen::MatrixXd vectors = vectors_of(scene, b, rest, made.modes);
+  const Eigen::MatrixXd vectors = below(key_of("body", b), [&] { return vectors_of(scene, b, rest, made.modes); });
   made.U = orthonormal(rest, vectors, body.basis->count);
   if (made.U.cols() < body.basis->count)
     throw InputError(key + ".count",

@@ -62,7 +62,8 @@ PencilFactor::PencilFactor(const System& system, double shift) {
   if (status != Cholesky::Status::done)
     throw InputError("mesh", status == Cholesky::Status::out_of_memory
                                  ? "there is no memory for a factor of the stiffness"
-                                 : "the stiffness at rest is singular: nothing holds a part of the body");
+                                 : "the stiffness at rest is singular: nothing holds a part of the body, or it is a "
+                                   "flat membrane, which resists nothing that moves it out of its plane");
 }
 
 void PencilFactor::solve(const double* b, double* x) {

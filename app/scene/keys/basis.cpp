@@ -5,28 +5,33 @@
 namespace app {
 namespace {
 
-// A member of a basis, where its kind has made one.
+// A member of a basis that is there as soon as one of its keys is.
 template <auto member>
 constexpr Binding of_basis = {[](const Document& d, const Indices& i) -> std::optional<Value> {
                                 const auto& basis = body_of(d, i).basis;
                                 return basis ? to_optional((*basis).*member) : std::nullopt;
                               },
                               [](Document& d, const Indices& i, const Value& value) {
-                                if (auto& basis = body_of(d, i).basis) from_value(value, (*basis).*member);
+                                auto& basis = body_of(d, i).basis;
+                                from_value(value, (basis ? *basis : basis.emplace()).*member);
                               }};
 
-// None comes first of all keys, and those after it then find no basis.
 std::vector<std::string_view> basis_names() {
   std::vector<std::string_view> names = names_of<sim::BasisKind>();
   names.push_back("none");
   return names;
 }
-constexpr Binding kind = {of_basis<&sim::Basis::kind>.get, [](Document& d, const Indices& i, const Value& value) {
-                            auto& basis = body_of(d, i).basis;
-                            if (std::get<std::string>(value) == "none")
-                              basis.reset();
-                            else
-                              from_value(value, basis.emplace().kind);
+
+// What a basis of kind "none" says is given up when all keys are read.
+constexpr Binding kind = {[](const Document& d, const Indices& i) {
+                            if (d.without_basis[static_cast<std::size_t>(i[0])])
+                              return std::optional<Value>(std::string("none"));
+                            return of_basis<&sim::Basis::kind>.get(d, i);
+                          },
+                          [](Document& d, const Indices& i, const Value& value) {
+                            char& without = d.without_basis[static_cast<std::size_t>(i[0])];
+                            without = std::get<std::string>(value) == "none";
+                            if (!without) of_basis<&sim::Basis::kind>.set(d, i, value);
                           }};
 
 constexpr Binding folder = {[](const Document& d, const Indices& i) {

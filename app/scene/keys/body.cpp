@@ -19,6 +19,7 @@ constexpr Binding bodies = {
       const auto count = static_cast<std::size_t>(std::get<std::int64_t>(n));
       d.meshes.resize(count);
       d.start_files.resize(count);
+      d.without_basis.resize(count);
       d.basis_folders.resize(count);
       d.scene.bodies.resize(count);
       for (sim::Body& body : d.scene.bodies) {
