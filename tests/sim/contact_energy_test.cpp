@@ -70,7 +70,9 @@ TEST(ContactEnergy, NoneIsGainedWhereABlockIsThrownAtASphere) {
     }
     std::printf("%s gains %.1e of its energy, %d steps braked\n", scheme, gain / start, braked);
     EXPECT_LE(gain / start, 1e-3) << scheme;
-    if (std::string(scheme) == "trapezoidal") EXPECT_GT(braked, 0);
+    if (std::string(scheme) == "trapezoidal") {
+      EXPECT_GT(braked, 0);
+    }
   }
   EXPECT_LE(largest_gain(dropped_box("sdirk2", 2, 0), 90) / (1000 * 0.4 * 0.4 * 0.4 * 9.81 * 0.5), 1e-3);
 }
