@@ -65,8 +65,9 @@ Box free_room(const Contents& contents, int width, int height) {
 }  // namespace
 
 bool has_room_for_strips(const Contents& contents, int width, int height) {
+  constexpr double quarter = 0.25;
   const Box room = free_room(contents, width, height);
-  return room.bottom - room.top >= least;
+  return room.bottom - room.top >= quarter;
 }
 
 Box room_for(const Contents& contents, int width, int height) {

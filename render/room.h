@@ -20,7 +20,7 @@ struct Contents {
 // The size of the letters in a picture of width x height pixels.
 float text_size(float width, float height, bool lecture);
 
-// Whether the scene keeps a third of the height beside strips and all else; on a small picture it may not.
+// Whether the scene keeps a quarter of the height beside strips and all else; on a small picture it may not.
 bool has_room_for_strips(const Contents& contents, int width, int height);
 
 // The part of such a picture that is left. Words are taken to be as long as letters are in the mean, so that no font is

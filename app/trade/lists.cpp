@@ -8,6 +8,7 @@
 #include "app/base/text.h"
 #include "sim/element/element.h"
 #include "sim/stepper.h"
+#include "sim/study/basis.h"
 #include "sim/time/scheme.h"
 
 namespace app {
@@ -30,12 +31,28 @@ TradeCase lagging(const TradeCase& which, const std::string& iterations) {
   return with(which, "lag " + iterations, "solver.lag_iterations", iterations);
 }
 
+// All bodies with a basis of this kind, and as many vectors.
+TradeCase in_basis(const Document& scene, const TradeCase& around, const std::string& kind, const std::string& count) {
+  TradeCase which = around;
+  for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) {
+    const std::string basis = "body." + std::to_string(b) + ".basis.";
+    which = with(which, "", basis + "kind", kind);
+    if (!count.empty()) which = with(which, "", basis + "count", count);
+  }
+  return which;
+}
+
 TradeCase reference_case(const Document& scene, std::string_view integrator, int substeps) {
   TradeCase which = time_case(scene, integrator, substeps);
   which.axis = Axis::reference;
   which = with(which, "tolerance 1e-6", "solver.tolerance", tight);
   if (scene.scene.solver.linear != sim::LinearSolverKind::automatic)
     which = with(which, "auto", "solver.linear", "auto");
+  // What a basis cannot reach is part of its error.
+  if (sim::has_basis(scene.scene)) {
+    which = in_basis(scene, which, "none", "");
+    which.label += ", all nodes";
+  }
   return lags(scene.scene) ? lagging(which, "1") : which;
 }
 
@@ -88,6 +105,18 @@ void add_body_case(const Document& scene, const TradeCase& around, const std::st
   }
   which.label = around.label + ", " + value;
   if (changed) list.push_back(which);
+}
+
+// Fewer and more vectors, of the kinds that ask for no run; the scene's own are measured with the rest.
+void add_basis_cases(const Document& scene, const TradeCase& around, std::vector<TradeCase>& list) {
+  if (!sim::has_basis(scene.scene)) return;
+  const sim::Basis& own = *scene.scene.bodies.front().basis;
+  for (const char* const kind : {"modes", "derivatives"})
+    for (const int count : {5, 10, 20, 40}) {
+      if (kind == sim::name_of(own.kind) && count == own.count) continue;
+      list.push_back(in_basis(scene, around, kind, std::to_string(count)));
+      list.back().label = around.label + ", " + std::to_string(count) + " " + kind;
+    }
 }
 
 // Where contact begins, of all entries at once: a quarter of the scene's, and four times as much. Where the scene does
@@ -154,6 +183,7 @@ std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around
   if (implicit) add_solver_cases(scene.scene.solver, start, list);
   if (implicit) add_distance_cases(scene.scene, start, list);
   if (implicit && lags(scene.scene)) add_lag_cases(scene.scene.solver, start, list);
+  add_basis_cases(scene, start, list);
   const auto mass = [](const sim::Body& body) { return std::string(name_of(body.mass)); };
   const auto model = [](const sim::Body& body) { return body.materials.front().model; };
   add_body_case(scene, start, "mass", "lumped", mass, list);

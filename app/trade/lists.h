@@ -36,7 +36,7 @@ struct MeshChange {
 std::vector<MeshChange> mesh_changes(const Document& scene);
 
 // One setting changed at a time: tolerance, linear solver, definiteness, contact distance, lag of friction and damping,
-// mass, material. What the scene lacks is not tried.
+// mass, material, kind and count of a basis. What the scene lacks is not tried.
 std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around);
 
 // The case on other numbers of threads than those that are given; none where the system has no use for them.

@@ -35,9 +35,22 @@ TEST_F(TradeAxes, WhatASceneLacksIsNotTried) {
   EXPECT_FALSE(has(damped, "lag 0")) << "that is what the scene has";
   const auto rubbing = tried("[[obstacle]]\nplane = { point = [0, -9], normal = [0, 1] }\nfriction = 0.3\n");
   EXPECT_TRUE(has(rubbing, "lag 1"));
+  EXPECT_FALSE(has(tried(""), "modes"));
+  const auto held = tried("basis = { kind = \"modes\", count = 10 }\n");
+  EXPECT_TRUE(has(held, ", 5 modes") && has(held, ", 20 derivatives"));
+  EXPECT_FALSE(has(held, ", 10 modes")) << "that is what the scene has";
   // A small body has work for one thread only.
   const Comparison comparison = make_comparison(options());
   EXPECT_TRUE(thread_cases(*comparison.scene.system, 1, scene_case()).empty());
+}
+
+// What a basis cannot reach is seen by a reference in all nodes only.
+TEST_F(TradeAxes, AReferenceHasNoBasis) {
+  const Options with = options((std::string(plate_scene) + "basis = { kind = \"modes\", count = 10 }\n").c_str());
+  for (const TradeCase& which : reference_cases(load_scene(with.scene), 8)) {
+    EXPECT_NE(which.label.find("all nodes"), std::string::npos);
+    EXPECT_FALSE(load_scene(with.scene, {}, options_of(with, which).overrides).scene.bodies[0].basis);
+  }
 }
 
 TEST_F(TradeAxes, ThreadsAreNoKeyOfTheScene) {
