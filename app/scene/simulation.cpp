@@ -54,11 +54,11 @@ void make_bases(Document& document, const Document* before) {
   }
 }
 
-Simulation build_simulation(const Options& options) {
+Simulation build_simulation(const Options& options, const Document* before) {
   const Stopwatch watch;
   Simulation simulation;
   simulation.document = load_scene(options.scene, options.settings, options.overrides);
-  make_bases(simulation.document, nullptr);
+  make_bases(simulation.document, before);
   simulation.system = build_system(simulation.document, options.threads);
   simulation.identity = scene_identity(simulation.document);
   simulation.build_seconds = watch.seconds();

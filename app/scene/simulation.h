@@ -25,8 +25,9 @@ struct Simulation {
   std::int64_t last_step() const { return last_frame() * system->steps_per_frame(); }
 };
 
-// Reads the scene that the options name and builds its system. Throws SceneError.
-Simulation build_simulation(const Options& options);
+// Reads the scene that the options name and builds its system; bases of `before` serve where the bodies are the same.
+// Throws SceneError.
+Simulation build_simulation(const Options& options, const Document* before = nullptr);
 
 // Makes the vectors of the scene's bases, where it has some; those of `before` serve where the body is the same. Throws
 // SceneError.
