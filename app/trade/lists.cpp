@@ -48,11 +48,7 @@ TradeCase reference_case(const Document& scene, std::string_view integrator, int
   which = with(which, "tolerance 1e-6", "solver.tolerance", tight);
   if (scene.scene.solver.linear != sim::LinearSolverKind::automatic)
     which = with(which, "auto", "solver.linear", "auto");
-  // What a basis cannot reach is part of its error.
-  if (sim::has_basis(scene.scene)) {
-    which = in_basis(scene, which, "none", "");
-    which.label += ", all nodes";
-  }
+  which = in_all_nodes(scene, which);
   return lags(scene.scene) ? lagging(which, "1") : which;
 }
 
@@ -137,6 +133,13 @@ void add_distance_cases(const sim::Scene& scene, const TradeCase& around, std::v
 }
 
 }  // namespace
+
+TradeCase in_all_nodes(const Document& scene, const TradeCase& around) {
+  if (!sim::has_basis(scene.scene)) return around;
+  TradeCase which = in_basis(scene, around, "none", "");
+  which.label += ", all nodes";
+  return which;
+}
 
 TradeCase time_case(const Document& scene, std::string_view integrator, int substeps) {
   return {std::string(integrator) + " " + step_text(scene, substeps),

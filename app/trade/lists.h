@@ -35,6 +35,9 @@ struct MeshChange {
 // Coarser and finer meshes, linear, quadratic and of bricks where the scene's meshes can be made so.
 std::vector<MeshChange> mesh_changes(const Document& scene);
 
+// The case in all nodes, where bodies have a basis: what that cannot reach is part of its error.
+TradeCase in_all_nodes(const Document& scene, const TradeCase& around);
+
 // One setting changed at a time: tolerance, linear solver, definiteness, contact distance, lag of friction and damping,
 // mass, material, kind and count of a basis. What the scene lacks is not tried.
 std::vector<TradeCase> rest_cases(const Document& scene, const TradeCase& around);

@@ -81,6 +81,7 @@ std::optional<MeshChange> apply(const Document& scene, const Change& change) {
         result.growth, std::pow(2.0, from.dimension * change.refine) * nodes_per_cell(*to) / nodes_per_cell(from));
   }
   if (result.change.settings.empty()) return std::nullopt;
+  result.change = in_all_nodes(scene, result.change);
   return result;
 }
 
