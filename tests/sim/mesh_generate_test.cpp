@@ -55,7 +55,7 @@ TEST_P(EveryKind, GroupsNameTheSidesExactly) {
   EXPECT_EQ(mesh.groups.size(), plane ? 4u : 6u);
   for (int axis = 0; axis < mesh.dimension(); ++axis) {
     for (int side = 0; side < 2; ++side) {
-      const Group& g = group(mesh, names[axis][side]);
+      const Group g = group(mesh, names[axis][side]);
       const double exact = L.prod() / L[axis];
       EXPECT_NEAR(facet_measure(mesh, g.facets), exact, 1e-14) << g.name;
       std::vector<int> expected;

@@ -184,7 +184,7 @@ TEST(Quadratic, NodeGroupsTakeTheMiddlesBetweenTheirNodes) {
   Mesh mesh = generate_rectangle({2, 1}, {2, 1}, {1, 1}, ElementKind::tri3);  // nodes 0 1 2 / 3 4 5
   mesh.groups = {{"low", {0, 1}, {}, {}}, {"apart", {0, 2}, {}, {}}, {"one", {4}, {}, {}}, {"none", {}, {}, {}}};
   const Mesh quadratic = to_quadratic(mesh);
-  const Group& low = group(quadratic, "low");
+  const Group low = group(quadratic, "low");
   ASSERT_EQ(low.nodes.size(), 3u);
   EXPECT_EQ(quadratic.X.col(low.nodes[2]), Eigen::Vector2d(0.5, 0));
   EXPECT_EQ(group(quadratic, "apart").nodes, (std::vector<int>{0, 2}));
