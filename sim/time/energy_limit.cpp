@@ -17,16 +17,21 @@ double EnergyLimit::kinetic(const Eigen::VectorXd& v) {
   return 0.5 * v.dot(x_);
 }
 
-// J, that the step may end with. Where someone gave the bodies another velocity, what was remembered is less than they
-// have.
-double EnergyLimit::most(const State& begin, double t) {
-  const double had = kinetic(begin.v) + tangent_.energy({begin.x, begin.v, t, 0});
+// U(x) [J]
+double EnergyLimit::potential_at(const State& state, double t) {
+  return tangent_.energy({state.x, state.v, t, 0});
+}
+
+// J, that the step may end with; `potential` is that at its beginning. Where someone gave the bodies another velocity,
+// what was remembered is less than they have.
+double EnergyLimit::most(const State& begin, double potential) {
+  const double had = kinetic(begin.v) + potential;
   const bool remembers = begin.kinetic_most >= 0 && had <= begin.energy_most + 2 * noise * begin.kinetic_most;
   return remembers ? begin.energy_most : had;
 }
 
 void EnergyLimit::slow_down(double energy, State& next, double t_end) {
-  const double left = energy - tangent_.energy({next.x, next.v, t_end, 0}), T = kinetic(next.v);
+  const double left = energy - potential_at(next, t_end), T = kinetic(next.v);
   if (T <= left) return;
   next.v *= left > 0 ? std::sqrt(left / T) : 0;
   model_.pins.prescribe(t_end, next.x, next.v);
@@ -34,23 +39,24 @@ void EnergyLimit::slow_down(double energy, State& next, double t_end) {
 
 void EnergyLimit::calm(const State& begin, double t, State& next, double t_end) {
   next.force.setZero();
-  slow_down(kinetic(begin.v) + tangent_.energy({begin.x, begin.v, t, 0}), next, t_end);
+  slow_down(kinetic(begin.v) + potential_at(begin, t), next, t_end);
 }
 
-// Something that is prescribed moves, or the potential changes while nothing does.
-bool EnergyLimit::driven(const State& begin, double t, double t_end) {
+// Something that is prescribed moves, or the potential changes while nothing does: it was `potential`.
+bool EnergyLimit::driven(const State& begin, double t, double t_end, double potential) {
   for (const double end : {t, t_end}) {
     v_.setZero();
     model_.pins.prescribe(end, x_, v_);
     if (!v_.isZero(0)) return true;
   }
-  return tangent_.energy({begin.x, begin.v, t_end, 0}) != tangent_.energy({begin.x, begin.v, t, 0});
+  return potential_at(begin, t_end) != potential;
 }
 
 bool EnergyLimit::gains(const State& begin, double t, State& next, double t_end) {
-  const double T = kinetic(next.v), energy = T + tangent_.energy({next.x, next.v, t_end, 0});
-  const double allowed = most(begin, t), fastest = std::max(begin.kinetic_most, T);
-  const bool is_driven = driven(begin, t, t_end);
+  const double potential = potential_at(begin, t);
+  const double T = kinetic(next.v), energy = T + potential_at(next, t_end);
+  const double allowed = most(begin, potential), fastest = std::max(begin.kinetic_most, T);
+  const bool is_driven = driven(begin, t, t_end, potential);
   if (!is_driven && !(energy <= allowed + noise * fastest)) return true;
   next.energy_most = is_driven ? energy : allowed;
   next.kinetic_most = is_driven ? T : fastest;
@@ -59,7 +65,7 @@ bool EnergyLimit::gains(const State& begin, double t, State& next, double t_end)
 
 // With dv = v_{n+1} - v_n: T(v_n + s dv) = T(v_n) + b s + a s^2, a = T(dv), b = v_n.M dv = T(v_{n+1}) - T(v_n) - a.
 void EnergyLimit::brake(const State& begin, double t, State& next, double t_end) {
-  const double allowed = most(begin, t), left = allowed - tangent_.energy({next.x, next.v, t_end, 0});
+  const double allowed = most(begin, potential_at(begin, t)), left = allowed - potential_at(next, t_end);
   const double T_begin = kinetic(begin.v), T_end = kinetic(next.v);
   v_ = next.v - begin.v;
   const double a = kinetic(v_), b = T_end - T_begin - a;

@@ -29,9 +29,10 @@ class EnergyLimit {
 
  private:
   double kinetic(const Eigen::VectorXd& v);
-  double most(const State& begin, double t);
+  double potential_at(const State& state, double t);
+  double most(const State& begin, double potential);
   void slow_down(double energy, State& next, double t_end);
-  bool driven(const State& begin, double t, double t_end);
+  bool driven(const State& begin, double t, double t_end, double potential);
 
   static constexpr double noise = 1e-3;
   const Model& model_;
