@@ -85,13 +85,17 @@ int count_lost(const Mesh& surface, const Mesh& solid, const Wrapping& wrapping)
   if (parts.size() == 1) return 0;
   std::vector<char> wraps(static_cast<std::size_t>(surface.element_count()), 0);
   for (const int triangle : wrapping.nearest) wraps[static_cast<std::size_t>(triangle)] = 1;
-  int lost = 0;
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(parts.size()));  // of a node of each that wraps nothing
+  Eigen::Index count = 0;
   for (const Component& part : parts) {
     if (std::any_of(part.elements.begin(), part.elements.end(), [&](int t) { return wraps[t] != 0; })) continue;
-    // What lies inside of others is part of them.
-    lost += farthest_outside(carry(solid, surface.X.col(part.nodes[0]))) > 0;
+    places.col(count++) = surface.X.col(part.nodes[0]);
   }
-  return lost;
+  if (count == 0) return 0;
+  // What lies inside of others is part of them.
+  const std::vector<MaterialPoint> carried = carry(solid, places.leftCols(count));
+  return static_cast<int>(std::count_if(carried.begin(), carried.end(),
+                                        [](const MaterialPoint& point) { return farthest_outside({point}) > 0; }));
 }
 
 }  // namespace sim
