@@ -158,7 +158,7 @@ void add_stress_options(CLI::App& command, Options& options) {
   add_named(command, "-o,--out", options.out, "Folder of stress.csv [out/stress]", "DIR");
   command.add_flag("--overwrite", options.overwrite, "Replace the stress.csv of an earlier run");
   command.add_flag("--quick", options.quick, "A part of the matrix, under a minute");
-  command.add_option("--seeds", options.seeds, "Run each case so often, with seeds from --seed on")
+  command.add_option("--seeds", options.seeds, "Run each case in which anything is random so often, with seeds from --seed on")
       ->check(CLI::Range(1, 1'000'000))
       ->type_name("N");
   command

@@ -59,7 +59,7 @@ struct Choice {
   bool quick = false;
   std::string only;        // a pattern with * and ?, found anywhere in the name; empty: all
   std::uint64_t seed = 1;  // of the first run of each case
-  int seeds = 1;           // runs of each case, with seeds one after the other
+  int seeds = 1;           // runs of each case in which anything is random, with seeds one after the other
 };
 
 // Every combination that means something and is chosen. Subjects and extremes must outlive the cases.
