@@ -1,11 +1,13 @@
 #include "app/command/cli.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <ostream>
 #include <thread>
 
 #include "app/base/exit_code.h"
+#include "app/base/nearest.h"
 #include "app/base/shipped.h"
 #include "app/command/cli_options.h"
 #include "app/command/commands.h"
@@ -158,7 +160,9 @@ void add_stress_options(CLI::App& command, Options& options) {
   add_named(command, "-o,--out", options.out, "Folder of stress.csv [out/stress]", "DIR");
   command.add_flag("--overwrite", options.overwrite, "Replace the stress.csv of an earlier run");
   command.add_flag("--quick", options.quick, "A part of the matrix, under a minute");
-  command.add_option("--seeds", options.seeds, "Run each case in which anything is random so often, with seeds from --seed on")
+  command
+      .add_option("--seeds", options.seeds,
+                  "Run each case in which anything is random so often, with seeds from --seed on")
       ->check(CLI::Range(1, 1'000'000))
       ->type_name("N");
   command
@@ -191,6 +195,15 @@ void add_window_options(CLI::App& command, Options& options) {
   command.add_flag("--overwrite", options.overwrite, "Replace the file of --log");
   add_named(command, "-o,--out", options.out, "Folder of screenshots and saved scenes; the current one when not given",
             "DIR");
+}
+
+// What is wrong with the first argument, where that is to be a command; empty where nothing is.
+std::string unknown_command(const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().empty() || arguments.front()[0] == '-') return {};
+  std::vector<std::string_view> names;
+  for (const Command& command : commands()) names.push_back(command.name);
+  if (std::ranges::find(names, arguments.front()) != names.end()) return {};
+  return "there is no command \"" + arguments.front() + '"' + suggestion(arguments.front(), names);
 }
 
 }  // namespace
@@ -236,6 +249,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
 
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
+    if (const std::string why = unknown_command(arguments); !why.empty()) throw CLI::ParseError(why, exit_bad_input);
     app.parse(reversed);
     if (explain.parsed() && !options.keys && options.scene.empty()) throw CLI::RequiredError("SCENE");
     if (manual || completion) {

@@ -4,6 +4,7 @@
 
 #include "app/mesh/error.h"
 #include "app/mesh/mesh_nodes.h"
+#include "app/mesh/msh_cut.h"
 #include "app/mesh/msh_groups.h"
 
 namespace app {
@@ -86,7 +87,8 @@ std::vector<int> merge_repeated(sim::Mesh& mesh, const std::vector<const std::ve
 
 }  // namespace
 
-sim::Mesh make_mesh(const MshContents& contents, const std::string& name, std::vector<std::string>& remarks) {
+sim::Mesh make_mesh(MshContents contents, const std::string& name, std::vector<std::string>& remarks) {
+  cut_squares_beside_triangles(contents, name, remarks);
   const MshType& type = body_type(contents, name);
   sim::Mesh mesh;
   mesh.kind = type.element->kind;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/picture/stage.h"
+#include "sim/element/element.h"
 #include "sim/mesh/boundary.h"
 #include "sim/study/loads.h"
 
@@ -43,9 +44,10 @@ std::vector<std::vector<int>> places_of(const sim::BodyRange& body, const std::s
   return places;
 }
 
-// The way that pins move the body, as a share of its size.
+// The way that pins move the body against each other, as a share of its size. One alone takes it along.
 double pinned_strain(const sim::Body& body, double size) {
   double strain = 0;
+  if (body.pins.size() < 2) return strain;
   for (const sim::Pin& pin : body.pins) {
     for (const sim::Keyframe& pose : pin.motion) {
       strain = std::max({strain, pose.translate.norm() / size, std::abs(pose.degrees) / 180});
@@ -72,8 +74,8 @@ double total_force(const sim::System& system, const Document& document) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const sim::BodyRange& range = system.bodies()[b];
     const sim::MaterialSpec& material = scene.bodies[b].materials.front();
-    const double section =
-        scene.bodies[b].mesh.X.rows() == 3 ? range.size * range.size : range.size * scene.bodies[b].thickness;
+    const bool is_solid = sim::info(scene.bodies[b].mesh.kind).dimension == 3;
+    const double section = range.size * (is_solid ? range.size : scene.bodies[b].thickness);
     total += 0.03 * material.young * pinned_strain(scene.bodies[b], range.size) * section;
   }
   return total;

@@ -155,10 +155,15 @@ Surface::Surface(const sim::Mesh& mesh, const Skin& skin) {
   constexpr Eigen::Index few = 4000;  // triangles: more of them are round enough
   linear_ = skin.triangles.cols() <= few;
   vertex_of_node_.assign(static_cast<std::size_t>(mesh.node_count()), -1);
+  std::vector<double> most(vertex_of_node_.size(), 0);  // by node: its weight in the vertex that it moves most
   for (const sim::MaterialPoint& point : skin.points) {
     for (std::size_t i = 0; i < point.weights.size(); ++i) {
-      nodes_.push_back(mesh.elements(static_cast<Eigen::Index>(i), point.element));
+      const int node = mesh.elements(static_cast<Eigen::Index>(i), point.element);
+      nodes_.push_back(node);
       weights_.push_back(point.weights[i]);
+      if (point.weights[i] <= most[static_cast<std::size_t>(node)]) continue;
+      most[static_cast<std::size_t>(node)] = point.weights[i];
+      vertex_of_node_[static_cast<std::size_t>(node)] = vertex_count();
     }
     starts_.push_back(static_cast<int>(nodes_.size()));
   }

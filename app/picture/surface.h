@@ -29,7 +29,7 @@ class Surface {
 
   // Whether its facets are flat by themselves, so that what is round has to be made so.
   bool is_linear() const { return linear_; }
-  // The vertex at a node of the mesh; -1 where the node is inside, and under a skin.
+  // The vertex at a node of the mesh, or of a skin the one that the node moves most; -1 where the node is inside.
   int vertex_of(int node) const;
 
   // x, y, z of each vertex, from an origin, by positions per node, dimension x nodes; z = 0 in 2D.

@@ -36,8 +36,8 @@ render::Image read_picture(const fs::path& path) {
   }
 }
 
-std::string size_text(const render::Image& image) {
-  return std::to_string(image.width) + "x" + std::to_string(image.height);
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
 }
 
 }  // namespace
@@ -56,6 +56,13 @@ Expectation::Expectation(const Options& options, const RunFolder& folder)
   if (results_.empty()) {
     throw std::runtime_error("--expect " + stored_.string() + ": holds no frame_NNNNN.png to compare with");
   }
+  const std::string first = RunFolder::frame_name(results_.begin()->first);
+  const render::Image stored = read_picture(stored_ / first);
+  if (stored.width != options.width || stored.height != options.height)
+    throw std::runtime_error("--expect " + stored_.string() + ": " + first + " is " +
+                             size_text(stored.width, stored.height) + ", and this run draws " +
+                             size_text(options.width, options.height) + "; take --size " +
+                             size_text(stored.width, stored.height));
 }
 
 void Expectation::compare(std::int64_t frame, const render::Image& drawn) {
@@ -67,7 +74,8 @@ void Expectation::compare(std::int64_t frame, const render::Image& drawn) {
   if (stored.width != drawn.width || stored.height != drawn.height) {
     result.share = 1;
     result.largest = 255;
-    result.words = "is " + size_text(drawn) + ", the stored one " + size_text(stored);
+    result.words =
+        "is " + size_text(drawn.width, drawn.height) + ", the stored one " + size_text(stored.width, stored.height);
     return;
   }
   const render::Difference difference = render::compare(drawn, stored, tolerated_);

@@ -15,7 +15,8 @@ namespace app {
 // The pictures frame_NNNNN.png of a folder. Those that a run draws are compared; frames that are not stored are not.
 class Expectation {
  public:
-  // Throws std::runtime_error when options.expect is no folder or holds no such picture.
+  // Throws std::runtime_error when options.expect is no folder, holds no such picture, or its first one has another
+  // size than the run draws.
   Expectation(const Options& options, const RunFolder& folder);
 
   // Compares a frame with the stored one, if there is one. Where they differ too much, writes the difference picture.

@@ -148,7 +148,7 @@ void check_body_name(const Document& document, const std::string& name, const st
   for (const sim::Body& body : scene.bodies) names.push_back(body.name);
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string known = names.empty() ? " and no other" : "; there are: " + listed(names);
-  mistakes.refuse(path, "there is no such body" + known + suggestion(name, views));
+  mistakes.refuse(path, "there is no body \"" + name + "\"" + known + suggestion(name, views));
 }
 
 // `path` is of what names the body and the place at rest.
@@ -253,6 +253,9 @@ void check_consistency(const std::vector<Item>& items, const Document& document,
   }
   for (std::size_t i = 0; i < scene.springs.size(); ++i)
     check_point(document, scene.springs[i].body, scene.springs[i].at, "spring." + std::to_string(i), mistakes);
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+    for (const std::string& name : scene.contacts[i].between)
+      check_body_name(document, name, "contact." + std::to_string(i) + ".between", mistakes);
   check_exhibits(items, document, mistakes);
   check_picture(document, mistakes);
 }

@@ -49,15 +49,6 @@ void make_body(MeshSpec& spec, const std::string& path, sim::Body& body, std::ve
   }
 }
 
-// A surface without an edge is what programs write of a solid; here it is its skin alone.
-void note_closed_surface(const sim::Body& body, const MeshSpec& spec, std::vector<std::string>& remarks) {
-  if (spec.source != MeshSource::file || body.mesh.dimension() == 2) return;
-  if (sim::info(body.mesh.kind).dimension == 3 || sim::boundary_facets(body.mesh).cols() > 0) return;
-  std::string remark = "a closed surface, taken as a hollow membrane of thickness ";
-  append_number(remark, body.thickness);
-  remarks.push_back(remark + " m (body.thickness); mesh.surface fills it with tets");
-}
-
 // A body that something is wrong with gets no mesh, and neither does one that only stands in a gap of the list.
 void make_bodies(Document& document, const std::filesystem::path& folder, const Places& places, Mistakes& mistakes) {
   sim::Scene& scene = document.scene;
@@ -72,7 +63,6 @@ void make_bodies(Document& document, const std::filesystem::path& folder, const 
     if (!spec.skin_file.empty()) spec.skin_file = folder / spec.skin_file;
     std::vector<std::string> remarks;
     mistakes.collect([&] { make_body(spec, path, body, remarks); });
-    note_closed_surface(body, spec, remarks);
     for (const std::string& remark : remarks) document.remarks.push_back(body.name + ": " + remark);
     if (body.mesh.dimension() == 3) scene.dimension = 3;
   }
@@ -123,12 +113,41 @@ void place_body(const MeshSpec& spec, int dimension, const std::string& path, si
   }
 }
 
-void place_bodies(Document& document, Mistakes& mistakes) {
+// In space, triangles are a membrane. A surface without an edge is what programs write of a solid, and the default
+// thickness is that of plane strain: neither may be what is meant.
+void note_membrane(const sim::Body& body, const MeshSpec& spec, bool has_thickness, std::vector<std::string>& remarks) {
+  if (body.mesh.dimension() == 2 || sim::info(body.mesh.kind).dimension == 3) return;
+  const bool is_closed = spec.source == MeshSource::file && sim::boundary_facets(body.mesh).cols() == 0;
+  if (!is_closed && has_thickness) return;
+  std::string remark = body.name + ": ";
+  remark += is_closed ? "a closed surface, taken as a hollow membrane of thickness "
+                      : "a surface in space, taken as a membrane of thickness ";
+  append_number(remark, body.thickness);
+  remarks.push_back(remark + " m (body.thickness)" + (is_closed ? "; mesh.surface fills it with tets" : ""));
+}
+
+void place_bodies(Document& document, const Places& places, Mistakes& mistakes) {
   for (std::size_t i = 0; i < document.meshes.size(); ++i) {
     const std::string path = "body." + std::to_string(i);
     if (mistakes.in_part_of(path)) continue;
-    mistakes.collect(
-        [&] { place_body(document.meshes[i], document.scene.dimension, path, document.scene.bodies[i].mesh); });
+    sim::Body& body = document.scene.bodies[i];
+    mistakes.collect([&] { place_body(document.meshes[i], document.scene.dimension, path, body.mesh); });
+    note_membrane(body, document.meshes[i], places.contains(path + ".thickness"), document.remarks);
+  }
+}
+
+// A floor that the scene gives hides what is below it.
+void note_floor(const Document& document, std::vector<std::string>& remarks) {
+  const std::optional<double>& height = document.look.ground_height;
+  if (!height || !document.look.ground || document.scene.dimension == 2) return;
+  const Vec3 up = up_of(document.camera, document.scene.world.gravity);
+  for (const sim::Body& body : document.scene.bodies) {
+    const auto heights = up.transpose() * body.mesh.X;
+    const double lowest = heights.minCoeff(), hidden = *height - lowest;
+    if (hidden <= 1e-3 * (heights.maxCoeff() - lowest)) continue;
+    std::string remark = "look.ground_height: the floor hides " + body.name + ", which begins ";
+    append_number(remark, hidden);
+    remarks.push_back(remark + " m below it");
   }
 }
 
@@ -183,11 +202,12 @@ Document make_document(const std::vector<Item>& items, const std::filesystem::pa
   const bool made = all_are_made(document);
   if (made) check_dimension(items, document.scene.dimension, mistakes);
   mistakes.next_stage();
-  if (made) place_bodies(document, mistakes);
+  if (made) place_bodies(document, places, mistakes);
   if (made) make_obstacles(document, document.folder, mistakes);
   if (made) read_starts(document, document.folder, mistakes);
   if (made) read_bases(document, document.folder, mistakes);
   check_consistency(items, document, mistakes);
+  if (mistakes.empty()) note_floor(document, document.remarks);
   return document;
 }
 

@@ -233,7 +233,12 @@ toml::table parsed(std::string_view text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw SceneError(name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+    const std::string what(error.description());
+    const bool over_lines = what.find("inline table") != std::string::npos && what.find("'\\n'") != std::string::npos;
+    throw SceneError(name + ":" + std::to_string(error.source().begin.line) + ": " + what +
+                     (over_lines ? "; a table in braces stands on one line: join its lines, or write it as [body.mesh] "
+                                   "with a line for each key"
+                                 : ""));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "sim/body/pose.h"
 
@@ -40,9 +42,7 @@ void Pins::prescribe(double t, Eigen::VectorXd& x, Eigen::VectorXd& v) const {
     if (t > pin.release) continue;
     const Pose pose(pin.motion, t);
     for (std::size_t i = 0; i < pin.nodes.size(); ++i) {
-      Vec3 X = Vec3::Zero();
-      X.head(D_) = pin.rest.segment(i * D_, D_);
-      const Vec3 position = pose.place(X), velocity = pose.velocity(position);
+      const Vec3 position = pose.place(rest_of(pin, i)), velocity = pose.velocity(position);
       for (const int c : pin.axes) {
         x[pin.nodes[i] * D_ + c] = position[c];
         v[pin.nodes[i] * D_ + c] = velocity[c];
@@ -62,6 +62,60 @@ Pins::Name Pins::name_of(int node, double t) const {
   for (const Held& pin : pins_)
     if (t <= pin.release && std::find(pin.nodes.begin(), pin.nodes.end(), node) != pin.nodes.end()) return pin.name;
   return {};
+}
+
+Vec3 Pins::rest_of(const Held& pin, std::size_t i) const {
+  Vec3 X = Vec3::Zero();
+  X.head(D_) = pin.rest.segment(i * D_, D_);
+  return X;
+}
+
+std::optional<Pins::Disagreement> Pins::clash_at(double t, const Eigen::VectorXd& node_size, int end) const {
+  constexpr double rounding = 1e-9;  // of the body's size
+  struct Wanted {
+    const Held* by;
+    double position;
+  };
+  std::map<Eigen::Index, Wanted> wanted;  // by component
+  std::optional<Disagreement> worst;
+  for (const Held& pin : pins_) {
+    if (t > pin.release) continue;
+    const Pose pose(pin.motion, t);
+    for (std::size_t i = 0; i < pin.nodes.size(); ++i) {
+      if (pin.nodes[i] >= end) continue;
+      const Vec3 position = pose.place(rest_of(pin, i));
+      for (const int c : pin.axes) {
+        const auto [other, is_first] =
+            wanted.try_emplace(Eigen::Index{pin.nodes[i]} * D_ + c, Wanted{&pin, position[c]});
+        const double apart = std::abs(other->second.position - position[c]);
+        if (is_first || apart <= std::max(rounding * node_size[pin.nodes[i]], worst ? worst->distance : 0)) continue;
+        worst = {other->second.by->name, pin.name, t, apart};
+      }
+    }
+  }
+  return worst;
+}
+
+std::optional<Pins::Disagreement> Pins::clash(const Eigen::VectorXd& node_size, int end) const {
+  std::set<double> times = {0};
+  for (const Held& pin : pins_)
+    for (const Keyframe& keyframe : pin.motion) times.insert(keyframe.t);
+  for (const double t : times)
+    if (auto found = clash_at(t, node_size, end)) return found;
+  return std::nullopt;
+}
+
+Pins::Disagreement Pins::first_jump(int end) const {
+  Disagreement furthest;
+  for (const Held& pin : pins_) {
+    const Pose pose(pin.motion, 0);
+    for (std::size_t i = 0; i < pin.nodes.size(); ++i) {
+      const Vec3 rest = rest_of(pin, i);
+      const double distance = (pose.place(rest) - rest).norm();
+      if (pin.nodes[i] < end && distance > furthest.distance) furthest = {pin.name, pin.name, 0, distance};
+    }
+  }
+  return furthest;
 }
 
 }  // namespace sim

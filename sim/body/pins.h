@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,17 @@ class Pins {
   // Of the pin that prescribes the node at time t.
   Name name_of(int node, double t) const;
 
+  // What two pins of bodies want of the same node, or one that begins elsewhere than at rest.
+  struct Disagreement {
+    Name first, second;
+    double t = 0, distance = 0;  // s, m
+  };
+  // The first time among those of the keyframes when two pins want a node, of those before `end`, in places further
+  // apart than rounding leaves them; the one that was added later has its way. node_size: body size [m] at each node.
+  std::optional<Disagreement> clash(const Eigen::VectorXd& node_size, int end) const;
+  // Of the pins of nodes before `end`, the one whose script carries its nodes furthest from rest at t = 0.
+  Disagreement first_jump(int end) const;
+
  private:
   struct Held {
     std::vector<int> nodes;
@@ -39,6 +51,9 @@ class Pins {
     double release;  // s; infinity: never
     Name name;
   };
+  Vec3 rest_of(const Held& pin, std::size_t i) const;
+  std::optional<Disagreement> clash_at(double t, const Eigen::VectorXd& node_size, int end) const;
+
   int D_ = 3;
   std::vector<Held> pins_;
 };

@@ -100,6 +100,21 @@ void warn_of_nothing_to_move(const Parts& parts, Remarks& remarks) {
     remarks.push_back("pins: every component of every node is prescribed, so nothing is left to move by itself");
 }
 
+void warn_of_disagreeing_pins(const Parts& parts, Remarks& remarks) {
+  const Model& model = parts.model;
+  if (const auto clash = model.pins.clash(model.node_size, model.body_nodes))
+    remarks.push_back("pins: " + clash->first.text + " and " + clash->second.text +
+                      " prescribe other places for the same nodes, from t = " + in_text(clash->t) + " s on and there " +
+                      in_text(clash->distance) + " m apart; the one that stands later in the scene has its way");
+  constexpr double noticed = 1e-6;  // of the smallest body
+  const auto jump = model.pins.first_jump(model.body_nodes);
+  if (!model.bodies.empty() && jump.distance > noticed * model.node_size.head(model.body_nodes).minCoeff())
+    remarks.push_back(
+        "pins: the script of " + jump.first.text + " begins " + in_text(jump.distance) +
+        " m from where its nodes are at rest, so the first frame shows them there already and the rest of "
+        "the body not");
+}
+
 // lambda < 0 where nu < 0: lambda/2 (J - 1)^2 falls without end as J grows, lambda/2 ln(J)^2 as J -> 0.
 void warn_of_falling_energy(const Body& body, Remarks& remarks) {
   for (const MaterialSpec& material : body.materials)
@@ -149,6 +164,7 @@ std::vector<std::string> warnings(const Parts& parts) {
   warn_of_turning_modes(parts, remarks);
   warn_of_mass_solve(parts, remarks);
   warn_of_nothing_to_move(parts, remarks);
+  warn_of_disagreeing_pins(parts, remarks);
   return remarks;
 }
 

@@ -154,6 +154,7 @@ TEST(CommandLine, MistakesAreBadInput) {
   }
   EXPECT_NE(parse({"record", "a.toml", "--size", "0x720"}).err.find("--size 0x720: must be WIDTHxHEIGHT"),
             std::string::npos);
+  EXPECT_NE(parse({"recrod", "a.toml"}).err.find("no command \"recrod\"; did you mean \"record\"?"), std::string::npos);
   EXPECT_NE(parse({"record", "a.toml", "--set", "fps"}).err.find("--set fps: must be KEY=VALUE"), std::string::npos);
 }
 

@@ -83,10 +83,13 @@ TEST_F(Expect, OnlyStoredFramesAreCompared) {
   EXPECT_NE(table("still").find("0,0,0,not drawn"), std::string::npos) << table("still");
 }
 
-TEST_F(Expect, AnotherSizeIsADifference) {
+TEST_F(Expect, AnotherSizeIsToldBeforeTheFirstStep) {
   Options larger = expecting("larger");
   larger.width = 80;
-  EXPECT_EQ(record(larger), exit_frames_differ);
+  const std::string message = error_of([&] { record(larger); });
+  EXPECT_NE(message.find("frame_00000.png is 64x48, and this run draws 80x48; take --size 64x48"), std::string::npos)
+      << message;
+  EXPECT_FALSE(fs::exists(folder_ / "larger/steps.csv"));
 }
 
 TEST_F(Expect, WhatCannotBeComparedIsSaid) {

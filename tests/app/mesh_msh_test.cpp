@@ -160,6 +160,26 @@ TEST(MeshMsh, RepeatedElementsAreOne) {
   EXPECT_EQ(twice.remarks, std::vector<std::string>{"a.msh: elements that repeat others, left out: 1"});
 }
 
+// An L of a square and a triangle, as recombining leaves them.
+TEST(MeshMsh, SquaresBesideTrianglesAreCut) {
+  std::vector<std::string> corners = square;
+  corners.push_back("5 2 0 0");
+  const auto read = read_text(msh2(corners, {"1 3 2 7 1 1 2 3 4", "2 2 2 8 1 2 5 3"}), "a.msh");
+  EXPECT_EQ(read.mesh.kind, sim::ElementKind::tri3);
+  ASSERT_EQ(read.mesh.element_count(), 3);
+  double area = 0;
+  for (int e = 0; e < 3; ++e) {
+    const Eigen::MatrixXd X = read.mesh.X(Eigen::indexing::all, read.mesh.elements.col(e));
+    const double twice = (X(0, 1) - X(0, 0)) * (X(1, 2) - X(1, 0)) - (X(1, 1) - X(1, 0)) * (X(0, 2) - X(0, 0));
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+  }
+  EXPECT_NEAR(area, 1.5, 1e-15);
+  EXPECT_EQ(group(read.mesh, "7").elements.size(), 2u);
+  EXPECT_EQ(group(read.mesh, "8").elements.size(), 1u);
+  EXPECT_EQ(read.remarks, std::vector<std::string>{"a.msh: squares beside triangles, cut into two triangles each: 1"});
+}
+
 TEST(MeshMsh, GroupsOfOneNameAreOneInEachDimension) {
   const auto read = read_text(msh2(square, {"1 2 2 1 1 1 2 3", "2 2 2 0 1 1 3 4", "3 1 2 1 1 3 4"}), "a.msh");
   ASSERT_EQ(read.mesh.groups.size(), 2u);
@@ -212,8 +232,9 @@ TEST(MeshMsh, ErrorsSayLineValueAndRemedy) {
        "a.msh:13: element type 99 is not known; bodies are made of tri3, tri6, quad4, tet4, tet10 or hex8 (types 2, 9, "
        "3, "
        "4, 11, 5)"},
-      {msh2(square, {"1 2 2 0 1 1 2 3", "1 3 2 0 1 1 2 3 4"}),
-       "a.msh: the body is made of 1 tri3 and 1 quad4; it should be of one kind"},
+      {msh2({"1 0 0 0", "2 1 0 0", "3 1 1 0", "4 0 1 0", "5 2 0 0", "6 2 2 0"},
+            {"1 2 2 0 1 1 2 3", "1 9 2 0 1 1 2 3 4 5 6"}),
+       "a.msh: the body is made of 1 tri3 and 1 tri6; it should be of one kind"},
       {msh2(square, {"1 1 2 0 1 1 2"}),
        "a.msh: there are no triangles, squares, tets or hexes in it; a body is made of these (gmsh -2 or gmsh -3 makes "
        "them)"},

@@ -65,6 +65,19 @@ TEST_F(SceneFile, EveryFieldIsFilled) {
   EXPECT_EQ(document.remarks[0], "time.step = 0.004 s: 5 steps per frame, h = 0.004 s");
 }
 
+TEST_F(SceneFile, WhatIsEasilyMeantOtherwiseIsRemarked) {
+  const std::string box = "[[body]]\nname = \"box\"\nmesh = { box = [1, 1, 1], cells = [1, 1, 1] }\n";
+  const std::string sheet = "[[body]]\nname = \"sheet\"\nmesh = { rectangle = [1, 1], cells = [1, 1] }\n";
+  EXPECT_EQ(load(sheet).remarks, std::vector<std::string>{}) << "in the plane";
+  EXPECT_EQ(
+      load(box + sheet).remarks,
+      std::vector<std::string>{"sheet: a surface in space, taken as a membrane of thickness 1 m (body.thickness)"});
+  EXPECT_EQ(load(box + sheet + "thickness = 1\n").remarks, std::vector<std::string>{});
+  EXPECT_EQ(load(box + "[look]\nground_height = 0.25\n").remarks,
+            std::vector<std::string>{"look.ground_height: the floor hides box, which begins 0.25 m below it"});
+  EXPECT_EQ(load(box + "[look]\nground_height = 0\n").remarks, std::vector<std::string>{});
+}
+
 TEST_F(SceneFile, APlaneSceneHasTwoNumbers) {
   const Document document = load(plane_scene);
   const sim::Scene& scene = document.scene;

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "sim/mesh/boundary.h"
 #include "sim/mesh/generate.h"
 
 namespace app {
@@ -113,6 +114,22 @@ TEST(Surface, QuadraticEdgesAreDrawnCurved) {
   // of the last term. A single chord would give 1/2.
   const double bulge = 2.0 / 3 * (std::sqrt(2.0) - 1);
   EXPECT_NEAR(area(surface.triangles(), points), 0.5 + 15.0 / 16 * bulge, 1e-6);
+}
+
+// A pin shows under a skin at the vertex that its node moves most.
+TEST(Surface, NodesAreFoundOnASkin) {
+  const sim::Mesh box = sim::generate_box({1, 1, 1}, {2, 2, 2}, {1, 1, 1}, sim::ElementKind::tet4);
+  sim::Mesh hull;
+  hull.kind = sim::ElementKind::tri3;
+  hull.elements = sim::surface_facets(box);
+  hull.X = box.X;
+  const Surface surface(box, make_skin(hull, box));
+  const std::vector<float> points = surface.points(box.X);
+  for (int node = 0; node < box.node_count(); ++node) {
+    const int vertex = surface.vertex_of(node);
+    ASSERT_GE(vertex, 0);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(points[std::size_t(3 * vertex + i)], box.X(i, node), 1e-6);
+  }
 }
 
 TEST(Surface, ValuesFollowTheShapeFunctions) {

@@ -165,5 +165,23 @@ TEST(Held, ASceneInWhichNothingCanMoveSaysSo) {
   EXPECT_EQ(remarks_naming(scene, "nothing is left to move"), 0);
 }
 
+TEST(Held, PinsThatDisagreeAreTold) {
+  const auto moved = [](double t, double x) { return Keyframe{.t = t, .translate = {x, 0, 0}}; };
+  const Box left{{-1, -1, -1}, {1e-6, 9, 9}};
+  Scene scene = beam("tet4", 1);
+  scene.bodies[0].pins = {Pin{left, "xyz", {}, {}}, Pin{left, "yz", {moved(0, 0), moved(0.2, 0.5)}, {}}};
+  EXPECT_EQ(remarks_naming(scene, "for the same nodes"), 0) << "the second holds other components still";
+  scene.bodies[0].pins[1].axes = "x";
+  EXPECT_EQ(remarks_naming(scene,
+                           "pin 0 of \"beam\" and pin 1 of \"beam\" prescribe other places for the same nodes, "
+                           "from t = 0.2 s on and there 0.5 m apart"),
+            1);
+  scene.bodies[0].pins[0].release = 0.1;
+  EXPECT_EQ(remarks_naming(scene, "for the same nodes"), 0) << "one has let go before";
+  EXPECT_EQ(remarks_naming(scene, "first frame"), 0);
+  scene.bodies[0].pins = {Pin{left, "xyz", {moved(0, 5), moved(0.2, 0.5)}, {}}};
+  EXPECT_EQ(remarks_naming(scene, "the script of pin 0 of \"beam\" begins 5 m from where its nodes are at rest"), 1);
+}
+
 }  // namespace
 }  // namespace sim::test

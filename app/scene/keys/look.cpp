@@ -54,7 +54,8 @@ std::vector<Key> stage_keys() {
 
 std::vector<Key> mark_keys() {
   return {
-      {"look.wireframe", Kind::boolean, field<look_of, &Look::wireframe>, "Draw the edges of the elements."},
+      {"look.wireframe", Kind::boolean, field<look_of, &Look::wireframe>,
+       "Draw the edges of the elements, or of the skin that a body wears."},
       {"look.ghost", Kind::boolean, field<look_of, &Look::ghost>, "Draw the rest shape, translucent."},
       {"look.pins", Kind::boolean, field<look_of, &Look::pins>, "Draw a dot at every pinned node of the surface."},
       {"look.forces", Kind::boolean, field<look_of, &Look::forces>,
