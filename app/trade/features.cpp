@@ -1,6 +1,7 @@
 #include "app/trade/features.h"
 
 #include "app/scene/scene_text.h"
+#include "sim/build/barrier_scheme.h"
 #include "sim/element/element.h"
 #include "sim/time/scheme.h"
 
@@ -59,7 +60,7 @@ void add_step_features(const Document& scene, std::vector<TradeCase>& list) {
   if (scheme.is_explicit()) return;
   if (scheme.order == 2)
     list.push_back(without("second order in time (backward-euler instead)", "time.integrator", "backward-euler"));
-  if (scheme.order == 1 && !scheme.one_iteration)
+  if (scheme.order == 1 && !scheme.one_iteration && sim::serves(*sim::find_scheme("linearly-implicit"), scene.scene))
     list.push_back(without("Newton's method (linearly-implicit instead)", "time.integrator", "linearly-implicit"));
   if (scene.scene.solver.definiteness != sim::Definiteness::none)
     list.push_back(without("definiteness fix (exact tangent instead)", "solver.definiteness", "none"));

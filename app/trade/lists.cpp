@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/base/text.h"
+#include "sim/build/barrier_scheme.h"
 #include "sim/element/element.h"
 #include "sim/stepper.h"
 #include "sim/study/basis.h"
@@ -152,25 +153,34 @@ std::vector<TradeCase> reference_cases(const Document& scene, int fine) {
           reference_case(scene, "sdirk2", fine / 2), reference_case(scene, "sdirk2", fine / 4)};
 }
 
-std::vector<std::string> implicit_schemes() {
+std::vector<std::string> implicit_schemes(const Document& scene) {
   std::vector<std::string> names = {"backward-euler", "tr-bdf2"};
   for (const sim::Scheme& scheme : sim::schemes())
-    if (!scheme.is_explicit() && !scheme.is_static && std::ranges::find(names, scheme.name) == names.end())
+    if (!scheme.is_explicit() && !scheme.is_static && sim::serves(scheme, scene.scene) &&
+        std::ranges::find(names, scheme.name) == names.end())
       names.emplace_back(scheme.name);
+  return names;
+}
+
+std::string schemes_that_do_not_serve(const Document& scene) {
+  std::string names;
+  for (const sim::Scheme& scheme : sim::schemes())
+    if (!scheme.is_static && !sim::serves(scheme, scene.scene))
+      names += (names.empty() ? "" : ", ") + std::string(scheme.name);
   return names;
 }
 
 std::vector<TradeCase> time_cases(const Document& scene, int depth) {
   std::vector<TradeCase> list;
   for (int substeps = 1; substeps <= depth; substeps *= 2)
-    for (const std::string& name : implicit_schemes()) list.push_back(time_case(scene, name, substeps));
+    for (const std::string& name : implicit_schemes(scene)) list.push_back(time_case(scene, name, substeps));
   return list;
 }
 
-std::vector<TradeCase> explicit_cases() {
+std::vector<TradeCase> explicit_cases(const Document& scene) {
   std::vector<TradeCase> list;
   for (const sim::Scheme& scheme : sim::schemes()) {
-    if (!scheme.is_explicit()) continue;
+    if (!scheme.is_explicit() || !sim::serves(scheme, scene.scene)) continue;
     const std::string name(scheme.name);
     list.push_back({name + " h=auto", Axis::time, {{"time.integrator", name}, {"time.substeps", "\"auto\""}}});
   }

@@ -16,14 +16,16 @@ std::vector<TradeCase> reference_cases(const Document& scene, int fine);
 // One case: integrator with `substeps` steps a frame.
 TradeCase time_case(const Document& scene, std::string_view integrator, int substeps);
 
-// One of the first and one of the second order, then all others.
-std::vector<std::string> implicit_schemes();
+// One of the first and one of the second order, then all others that the scene allows.
+std::vector<std::string> implicit_schemes(const Document& scene);
+// Those that its contacts and obstacles do not allow, explicit ones as well; separated by commas.
+std::string schemes_that_do_not_serve(const Document& scene);
 
 // Each of them with 1, 2, 4, ... depth steps a frame.
 std::vector<TradeCase> time_cases(const Document& scene, int depth);
 
-// The explicit schemes with the steps that stability needs.
-std::vector<TradeCase> explicit_cases();
+// The explicit schemes that the scene allows, with the steps that stability needs.
+std::vector<TradeCase> explicit_cases(const Document& scene);
 
 // A mesh other than the scene's, and how many times more numbers it has, about.
 struct MeshChange {

@@ -41,7 +41,7 @@ std::vector<TradeCase> independent_cases(const Document& scene, const Plan& plan
   const auto add = [&](const std::vector<TradeCase>& list) { all.insert(all.end(), list.begin(), list.end()); };
   add(reference_cases(scene, finer * plan.depth));
   add(time_cases(scene, plan.depth));
-  add(explicit_cases());
+  add(explicit_cases(scene));
   if (!keep_mesh)
     for (const MeshChange& mesh : mesh_changes(scene)) all.push_back(both(mesh_time, mesh.change, Axis::mesh));
   add(rest_cases(scene, own));
@@ -60,6 +60,8 @@ void Search::go(const std::optional<Plan>& plan) {
     m_.note("only the first " + formatted("%.3g s", m_.comparison.seconds()) + " of " +
             formatted("%.3g s", m_.scene().scene.time.seconds) +
             " are measured: more does not fit into the time (--minutes)");
+  if (const std::string names = schemes_that_do_not_serve(m_.scene()); !names.empty())
+    m_.note("not tried, as they cannot keep bodies off each other and off obstacles: " + names);
   m_.notebook.run(scene_case(), time_share * m_.notebook.left());
   if (plan || m_.goal.kind == Goal::Kind::knee ? !ladder() : !aimed()) return;
   tell_what_is_below();
@@ -94,7 +96,7 @@ bool Search::ladder() {
   const Spending spending(m_, "ladder of steps");
   for (const TradeCase& which : time_cases(m_.scene(), plan_.depth))
     m_.notebook.run(which, time_share * m_.notebook.left());
-  for (const TradeCase& which : explicit_cases()) m_.notebook.run(which, rest_share * m_.notebook.left());
+  for (const TradeCase& which : explicit_cases(m_.scene())) m_.notebook.run(which, rest_share * m_.notebook.left());
   return true;
 }
 
@@ -119,7 +121,7 @@ bool Search::aimed() {
   }
   mesh_time_ = time_case(m_.scene(), "tr-bdf2", steps.substeps("tr-bdf2", mesh_certain * target()));
   const Spending spending(m_, "explicit schemes");
-  for (const TradeCase& which : explicit_cases()) m_.notebook.run(which, rest_share * m_.notebook.left());
+  for (const TradeCase& which : explicit_cases(m_.scene())) m_.notebook.run(which, rest_share * m_.notebook.left());
   return true;
 }
 

@@ -33,7 +33,7 @@ double StepSearch::error(const Latest& latest) {
 
 void StepSearch::first_runs() {
   const Spending spending(m_, "first runs");
-  for (const std::string& scheme : implicit_schemes()) {
+  for (const std::string& scheme : implicit_schemes(m_.scene())) {
     Latest latest{scheme, 1, nullptr};
     bool done = run(latest, 1);
     for (int n = 2; !done && latest.run->status == CaseStatus::failed && n <= 4; n *= 2) done = run(latest, n);

@@ -6,7 +6,9 @@
 
 namespace sim {
 
-// Throws InputError where the scene has a contact or an obstacle and its scheme cannot keep their barriers.
+// Whether the scheme can step the scene: it keeps barriers, or there are none, for want of contacts and obstacles.
+bool serves(const Scheme& scheme, const Scene& scene);
+// Throws InputError where it does not.
 void check_barrier_scheme(const Parts& parts, const Scene& scene);
 
 }  // namespace sim
