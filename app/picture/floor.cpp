@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
+
+#include "sim/study/sag.h"
 
 namespace app {
 namespace {
@@ -40,41 +41,17 @@ bool something_falls(const sim::Scene& scene) {
          !std::ranges::all_of(scene.bodies, [&](const sim::Body& body) { return is_held(body, scene); });
 }
 
-// How far a body that is held sinks under its weight, as far as a scene tells [m]: what sticks out of the held nodes'
-// box by L bends like a cantilever of the body's least extent H, by 3/2 rho g L^4/(E H^2), and swings twice as far, but
-// never lower than it could hang.
-double expected_sag(const sim::BodyRange& range, const sim::Body& body, const std::vector<char>& is_pinned,
-                    const Vec3& gravity) {
-  const Eigen::MatrixXd& X = range.mesh->X;
-  Eigen::AlignedBox3d held;
-  for (int i = 0; i < range.node_count; ++i)
-    if (is_pinned[range.first_node + i]) held.extend(Vec3(X.col(i)));
-  if (held.isEmpty()) return 0;
-  const Vec3 down = gravity.normalized();
-  double L = 0;
-  for (const auto& point : X.colwise()) {
-    const Vec3 arm = Vec3(point) - Vec3(point).cwiseMax(held.min()).cwiseMin(held.max());
-    L = std::max(L, (arm - arm.dot(down) * down).norm());
-  }
-  const double H = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).minCoeff();
-  const sim::MaterialSpec& material = body.materials.front();
-  const double weight = material.density * gravity.norm();
-  return H > 0 ? std::min(L, 2 * 1.5 * weight * L * L * L * L / (material.young * H * H)) : L;
-}
-
 double lowest_of(const Eigen::Ref<const Eigen::VectorXd>& x, const Vec3& up) {
   const Eigen::Map<const Eigen::Matrix3Xd> points(x.data(), 3, x.size() / 3);
   return points.cols() == 0 ? 0 : (up.transpose() * points).minCoeff();
 }
 
 double expected_lowest(const sim::System& system, const sim::Scene& scene, const Vec3& up) {
-  std::vector<char> is_pinned(system.counts().nodes, 0);
-  for (const int node : system.pinned_nodes(0)) is_pinned[node] = 1;
   const sim::State start = system.initial_state();
   double lowest = lowest_of(system.of_bodies(start.x), up);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const sim::BodyRange& body = system.bodies()[b];
-    const double sag = expected_sag(body, scene.bodies[b], is_pinned, scene.world.gravity);
+    const double sag = sim::expected_sag(system, scene.bodies[b], b, scene.world.gravity);
     lowest = std::min(lowest, lowest_of(body.mesh->X.reshaped(), up) - sag);
   }
   for (const sim::Obstacle& obstacle : scene.obstacles)
