@@ -9,6 +9,7 @@
 #include "sim/contact/distance.h"
 #include "sim/solve/contact_pressure.h"
 #include "sim/solve/linear_solver.h"
+#include "sim/solve/mass_product.h"
 #include "sim/time/stable_step.h"
 
 namespace sim {
@@ -156,8 +157,7 @@ State System::initial_state() const {
 Measures System::measure(const State& state) const {
   Measures m;
   const int D = parts_->model.D;
-  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(parts_->model.dofs());
-  for (const Mass& mass : parts_->model.masses) mass.add_product(1, state.v, momentum, D);
+  const Eigen::VectorXd momentum = mass_product(parts_->model, state.v);
   m.kinetic = 0.5 * state.v.dot(momentum);
   for (int node = 0; node < parts_->model.body_nodes; ++node) {
     const Eigen::Index at = static_cast<Eigen::Index>(node) * D;

@@ -14,6 +14,7 @@
 #include "app/command/manual.h"
 #include "app/command/trade_cli.h"
 #include "app/command/version.h"
+#include "app/scene/basis_cache.h"
 #include "render/context.h"
 
 namespace app {
@@ -212,6 +213,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
                                           std::ostream& err, int& exit_code) {
   Options options;
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.cache = cache_folder();
   CLI::App app("Animates elastic bodies by the finite element method and draws them without a display.", "ritz");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", version_text,

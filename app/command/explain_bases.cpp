@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/base/text.h"
+#include "app/scene/basis_cache.h"
 #include "app/scene/snapshots.h"
 #include "sim/study/basis.h"
 #include "sim/study/projection.h"
@@ -61,7 +62,9 @@ void print_bases(const Simulation& simulation, const Options& options) {
     if (!options.compare.empty()) throw std::runtime_error("--compare is for scenes with a basis, and no body has one");
     return;
   }
-  std::cout << "basis\n";
+  std::cout << "basis\n  vectors and training: " << formatted("%.2g s", simulation.basis_seconds);
+  if (!options.cache.empty()) std::cout << ", kept in " << basis_file(options.cache, simulation.document).string();
+  std::cout << '\n';
   if (simulation.system->counts().dofs <= most_unknowns) {
     print_projection(*simulation.system, "static solution", sim::rest_of_full(scene, options.threads));
     print_projection(*simulation.system, "first swing", sim::swing_of_full(scene, options.threads));

@@ -25,6 +25,7 @@ struct Options {
   std::vector<Override> overrides;          // the last one wins
   std::filesystem::path out;                // the run folder; empty: out/NAME of the scene file
   std::filesystem::path resume;             // run folder whose state.bin to go on from; empty: from the start
+  std::filesystem::path cache;              // where bases are kept for the next run; empty: nowhere
   int threads = 1;                          // >= 1; the command line fills in the number of cores
   std::uint64_t seed = 1;                   // of everything random in a scene
   bool quiet = false;                       // no progress, only errors

@@ -58,9 +58,15 @@ std::uint64_t scene_identity(const Document& document) {
 
 std::uint64_t basis_identity(const Document& document) {
   Document bases = document;
-  bases.scene.time = {};  // what trains a cubature swings in steps of its own
+  // What trains a cubature is a body alone, which swings in steps of its own.
+  bases.scene.time = {};
+  bases.scene.solver = {};
+  bases.scene.obstacles.clear();
+  bases.obstacle_meshes.clear();
+  bases.scene.contacts.clear();
   bases.scene.springs.clear();
   bases.scene.probes.clear();
+  bases.references.clear();
   return scene_identity(bases);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/base/stopwatch.h"
+#include "app/scene/basis_cache.h"
 #include "app/scene/crossed_start.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_identity.h"
@@ -42,23 +43,35 @@ std::shared_ptr<const sim::System> build_system(const Document& document, int th
   }
 }
 
-void make_bases(Document& document, const Document* before) {
+void make_bases(Simulation& simulation, const Simulation* before, const std::filesystem::path& cache, int threads) {
+  Document& document = simulation.document;
   if (!sim::has_basis(document.scene)) return;
-  try {
+  if (before != nullptr && basis_identity(document) == basis_identity(before->document)) {
     std::vector<sim::Body>& bodies = document.scene.bodies;
-    if (before != nullptr && basis_identity(document) == basis_identity(*before))
-      for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].basis->vectors = before->scene.bodies[b].basis->vectors;
-    document.scene = sim::with_bases_made(std::move(document.scene));
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      bodies[b].basis->vectors = before->document.scene.bodies[b].basis->vectors;
+    simulation.basis_seconds = before->basis_seconds;
+    return;
+  }
+  if (const std::optional<double> seconds = take_bases(cache, document)) {
+    simulation.basis_seconds = *seconds;
+    return;
+  }
+  const Stopwatch watch;
+  try {
+    document.scene = sim::with_bases_made(std::move(document.scene), threads);
   } catch (const sim::InputError& error) {
     throw SceneError(located(error, document.places).message);
   }
+  simulation.basis_seconds = watch.seconds();
+  keep_bases(cache, document, simulation.basis_seconds);
 }
 
-Simulation build_simulation(const Options& options, const Document* before) {
+Simulation build_simulation(const Options& options, const Simulation* before) {
   const Stopwatch watch;
   Simulation simulation;
   simulation.document = load_scene(options.scene, options.settings, options.overrides);
-  make_bases(simulation.document, before);
+  make_bases(simulation, before, options.cache, options.threads);
   simulation.system = build_system(simulation.document, options.threads);
   simulation.identity = scene_identity(simulation.document);
   simulation.build_seconds = watch.seconds();

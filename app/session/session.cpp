@@ -60,6 +60,7 @@ void forget_solver(sim::State& state) {
 
 Session::Session(const Options& options)
     : scene_(options.scene),
+      cache_(options.cache),
       threads_(options.threads),
       items_(read_scene(options.scene, options.settings)),
       overrides_(options.overrides),
@@ -176,7 +177,7 @@ std::shared_ptr<const Simulation> Session::build(const Document& document,
                                                  const std::optional<sim::Spring>& pull) const {
   auto simulation = std::make_shared<Simulation>();
   simulation->document = document;
-  make_bases(simulation->document, simulation_ ? &simulation_->document : nullptr);
+  make_bases(*simulation, simulation_.get(), cache_, threads_);
   if (pull) simulation->document.scene.springs.push_back(*pull);
   simulation->system = build_system(simulation->document, threads_);
   return simulation;

@@ -61,7 +61,7 @@ class Session {
   void switch_if_due();
   void begin(std::shared_ptr<const Simulation> first);
 
-  std::filesystem::path scene_;
+  std::filesystem::path scene_, cache_;
   int threads_;
   Layer items_;                      // what the files said when the session began
   std::vector<Override> overrides_;  // and what was set since

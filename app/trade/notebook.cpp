@@ -76,8 +76,7 @@ const CaseRun& Notebook::run(const TradeCase& which, double allowance) {
       return add(std::move(run));
     }
     const Allowance allowed{std::min(allowance, left()), repeat_share * seconds_};
-    CaseRun run =
-        run_case(comparison_, which, build_simulation(options, &comparison_.scene.document), allowed, interrupt_);
+    CaseRun run = run_case(comparison_, which, build_simulation(options, &comparison_.scene), allowed, interrupt_);
     keep(run);
     return add(told(std::move(run)));
   } catch (const SceneError& error) {
@@ -94,19 +93,18 @@ CaseRun Notebook::told(CaseRun run) const {
 }
 
 double Notebook::first_look(const TradeCase& which) {
-  const Simulation simulation = build_simulation(options_of(comparison_.options, which), &comparison_.scene.document);
+  const Simulation simulation = build_simulation(options_of(comparison_.options, which), &comparison_.scene);
   const CaseRun run = run_case(comparison_, which, simulation, {0, 0, look_share * seconds_}, interrupt_);
   return run.status == CaseStatus::skipped ? run.estimate : run.work.median() * comparison_.seconds();
 }
 
 CaseRun Notebook::run_afresh(const TradeCase& which) {
-  const Simulation simulation = build_simulation(options_of(comparison_.options, which), &comparison_.scene.document);
+  const Simulation simulation = build_simulation(options_of(comparison_.options, which), &comparison_.scene);
   return run_case(comparison_, which, simulation, {1e12, repeat_share * seconds_}, interrupt_);
 }
 
 std::vector<sim::TimedStep> Notebook::time_steps(const CaseRun& run, double seconds) {
-  const Simulation simulation =
-      build_simulation(options_of(comparison_.options, run.which), &comparison_.scene.document);
+  const Simulation simulation = build_simulation(options_of(comparison_.options, run.which), &comparison_.scene);
   return timed_steps(comparison_, run.which, simulation, seconds, interrupt_);
 }
 

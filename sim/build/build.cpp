@@ -203,7 +203,10 @@ std::unique_ptr<Parts> build(const Scene& scene, int threads) {
   check_start(model);
   if (parts->scheme->is_static) parts->no_equilibrium = moved_as_a_whole(model, scene.springs);
   settle_substeps(*parts);
-  if (parts->reduction) parts->reduction->model.time = model.time;
+  if (parts->reduction) {
+    parts->reduction->model.time = model.time;
+    parts->reduction->model.watches_step = model.watches_step;
+  }
   form_pattern(*parts);
   return parts;
 }

@@ -10,6 +10,7 @@
 #include "sim/build/sample.h"
 #include "sim/reduce/dead_load.h"
 #include "sim/reduce/lifted_terms.h"
+#include "sim/solve/mass_product.h"
 #include "sim/term/damping.h"
 #include "sim/term/spring.h"
 
@@ -53,13 +54,7 @@ Lift::Rows joined(const Model& model) {
 
 Lift::Rows with_mass(const Model& model, const Lift::Rows& U) {
   Lift::Rows MU(U.rows(), U.cols());
-  Eigen::VectorXd u(U.rows()), Mu(U.rows());
-  for (Eigen::Index k = 0; k < U.cols(); ++k) {
-    u = U.col(k);
-    Mu.setZero();
-    for (const Mass& mass : model.masses) mass.add_product(1, u, Mu, model.D);
-    MU.col(k) = Mu;
-  }
+  for (Eigen::Index k = 0; k < U.cols(); ++k) MU.col(k) = mass_product(model, U.col(k));
   return MU;
 }
 

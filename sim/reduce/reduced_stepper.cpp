@@ -19,6 +19,7 @@ void exchange(State& inner, State& state) {
   inner.x_before.swap(q.c_before);
   inner.v_before.swap(q.rate_before);
   inner.force.swap(q.force);
+  inner.fastest.swap(state.fastest);
 }
 
 }  // namespace
@@ -69,6 +70,7 @@ StepReport ReducedStepper::step(State& state) {
     const Stopwatch watch(seconds);
     if (state.coordinates.c.size() != reduction_.lift->coordinates()) reduction_.enter(state);
     inner_.step = state.step;
+    inner_.parts = state.parts;
     inner_.energy_most = state.energy_most;
     inner_.kinetic_most = state.kinetic_most;
     exchange(inner_, state);
@@ -76,6 +78,7 @@ StepReport ReducedStepper::step(State& state) {
     exchange(inner_, state);
     if (report.failure.empty()) {
       state.step = inner_.step;
+      state.parts = inner_.parts;
       state.energy_most = inner_.energy_most;
       state.kinetic_most = inner_.kinetic_most;
       state.x_before.swap(state.x);

@@ -26,6 +26,7 @@ void Reduction::enter(State& state) const {
   lift->place(q.c, state.x);
   lift->move(q.rate, state.v);
   state.force.resize(0);
+  state.fastest.resize(0);
   state.kept = {};
 }
 

@@ -8,6 +8,7 @@
 #include "sim/build/key_path.h"
 #include "sim/build/parts.h"
 #include "sim/build/reduction.h"
+#include "sim/solve/mass_product.h"
 #include "sim/solve/tangent_operator.h"
 #include "sim/study/cubature.h"
 #include "sim/study/modes.h"
@@ -34,11 +35,6 @@ class Rest {
   const Pencil& pencil() const { return pencil_; }
   const Model& model() const { return model_; }
 
-  Eigen::VectorXd times_mass(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd Mu = Eigen::VectorXd::Zero(u.size());
-    for (const Mass& mass : model_.masses) mass.add_product(1, u, Mu, model_.D);
-    return Mu;
-  }
   // Rigid motions that no pin resists: how many.
   Eigen::Index rigid_motions() const {
     const int D = model_.D, turns = D == 2 ? 1 : 3;
@@ -67,21 +63,21 @@ class Rest {
 
 // The vectors in their order, each without what those before it have of it in the mass norm; those of which nothing is
 // left are dropped. At most `count`.
-Eigen::MatrixXd orthonormal(const Rest& rest, const Eigen::MatrixXd& vectors, int count) {
+Eigen::MatrixXd orthonormal(const Model& model, const Eigen::MatrixXd& vectors, int count) {
   constexpr double nothing = 1e-8;
   Eigen::MatrixXd U(vectors.rows(), 0), MU(vectors.rows(), 0);
   for (Eigen::Index k = 0; k < vectors.cols() && U.cols() < count; ++k) {
     Eigen::VectorXd u = vectors.col(k);
-    const double before = std::sqrt(u.dot(rest.times_mass(u)));
+    const double before = std::sqrt(u.dot(mass_product(model, u)));
     for (int pass = 0; pass < 2; ++pass)  // once more, for round-off
       for (Eigen::Index j = 0; j < U.cols(); ++j) u -= MU.col(j).dot(u) * U.col(j);
-    const double left = std::sqrt(u.dot(rest.times_mass(u)));
+    const double left = std::sqrt(u.dot(mass_product(model, u)));
     if (!(left > nothing * before)) continue;
     u /= left;
     U.conservativeResize(Eigen::NoChange, U.cols() + 1);
     MU.conservativeResize(Eigen::NoChange, U.cols());
     U.rightCols(1) = u;
-    MU.rightCols(1) = rest.times_mass(u);
+    MU.rightCols(1) = mass_product(model, u);
   }
   return U;
 }
@@ -149,7 +145,7 @@ Eigen::MatrixXd principal(const Rest& rest, const Eigen::MatrixXd& snapshots) {
   Eigen::MatrixXd S = snapshots;
   S.array().colwise() *= rest.pencil().free.array();
   Eigen::MatrixXd MS(S.rows(), S.cols());
-  for (Eigen::Index k = 0; k < S.cols(); ++k) MS.col(k) = rest.times_mass(S.col(k));
+  for (Eigen::Index k = 0; k < S.cols(); ++k) MS.col(k) = mass_product(rest.model(), S.col(k));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(S.transpose().lazyProduct(MS));
   return S.lazyProduct(eigen.eigenvectors().rowwise().reverse());
 }
@@ -177,7 +173,7 @@ BasisVectors make_vectors(const Scene& scene, std::size_t b) {
                               "leave out the basis");
   BasisVectors made;
   const Eigen::MatrixXd vectors = below(key_of("body", b), [&] { return vectors_of(scene, b, rest, made.modes); });
-  made.U = orthonormal(rest, vectors, body.basis->count);
+  made.U = orthonormal(rest.model(), vectors, body.basis->count);
   if (made.U.cols() < body.basis->count)
     throw InputError(key + ".count",
                      "there are only " + std::to_string(made.U.cols()) + " independent vectors of this kind");

@@ -18,6 +18,7 @@ Scene alone_in_basis(const Scene& scene, std::size_t number) {
   one.contacts.clear();
   one.springs.clear();
   one.probes.clear();
+  one.time.integrator = "trapezoidal";
   Body& body = one.bodies[0];
   auto vectors = std::make_shared<BasisVectors>(*body.basis->vectors);
   vectors->cubature.reset();
@@ -49,9 +50,7 @@ Scene swinging(Scene scene, double omega) {
 }
 
 Response response_in_basis(const Scene& alone) {
-  Scene scene = alone;
-  scene.time.integrator = "trapezoidal";
-  const System system(scene);
+  const System system(alone);
   const Reduction& reduction = *parts_of(system).reduction;
   const AtRest rest(reduction);
   const int D = system.dimension();

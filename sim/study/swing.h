@@ -8,7 +8,7 @@ namespace sim {
 constexpr int steps_a_swing = 40;  // there and back
 
 // The body with this number alone in its basis, of all of its elements, under its own loads as they are when they have
-// risen.
+// risen, whatever the scheme of the scene.
 Scene alone_in_basis(const Scene& scene, std::size_t number);
 
 // How a body alone in its basis answers at rest.

@@ -111,12 +111,13 @@ TEST_F(BasisScenes, StatesKeepTheirCoordinatesInFiles) {
 // Pulling at a body builds its system anew, and not its basis.
 TEST_F(BasisScenes, ServeAgainWhereTheBodyIsTheSame) {
   const Simulation first = simulation(beam("kind = \"derivatives\", count = 5"));
-  Document same = load(beam("kind = \"derivatives\", count = 5")),
-           other = load(beam("kind = \"derivatives\", count = 6"));
-  make_bases(same, &first.document);
-  make_bases(other, &first.document);
-  EXPECT_EQ(same.scene.bodies[0].basis->vectors, first.document.scene.bodies[0].basis->vectors);
-  EXPECT_EQ(other.scene.bodies[0].basis->vectors->U.cols(), 6);
+  Simulation same, other;
+  same.document = load(beam("kind = \"derivatives\", count = 5"));
+  other.document = load(beam("kind = \"derivatives\", count = 6"));
+  make_bases(same, &first, {}, 1);
+  make_bases(other, &first, {}, 1);
+  EXPECT_EQ(same.document.scene.bodies[0].basis->vectors, first.document.scene.bodies[0].basis->vectors);
+  EXPECT_EQ(other.document.scene.bodies[0].basis->vectors->U.cols(), 6);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Scenes whose bodies move in a basis, and how far they are from others.
 #pragma once
 
+#include "sim/solve/tangent_operator.h"
 #include "sim/study/basis.h"
 #include "tests/sim/stepping.h"
 
@@ -22,13 +23,9 @@ inline Scene plane_cantilever(double young, const std::string& integrator, int n
   return scene;
 }
 
-inline Scene reduced(Scene scene, BasisKind kind, int count) {
-  for (Body& body : scene.bodies) {
-    body.basis.emplace();
-    body.basis->kind = kind;
-    body.basis->count = count;
-  }
-  return with_bases_made(std::move(scene));
+inline Scene reduced(Scene scene, BasisKind kind, int count, double cubature = 0, int threads = 1) {
+  for (Body& body : scene.bodies) body.basis = Basis{kind, count, cubature, {}, {}};
+  return with_bases_made(std::move(scene), threads);
 }
 
 // The frames of so many steps; the first one is the start.
@@ -58,12 +55,34 @@ inline double rms(const Scene& scene, const Eigen::MatrixXd& x, const Eigen::Mat
 }
 
 inline Scene with_snapshots(Scene scene, const Eigen::MatrixXd& x, int count) {
-  Body& body = scene.bodies[0];
-  body.basis.emplace();
-  body.basis->kind = BasisKind::snapshots;
-  body.basis->count = count;
-  body.basis->snapshots = std::make_shared<const Eigen::MatrixXd>(x.colwise() - x.col(0));
+  const auto u = std::make_shared<const Eigen::MatrixXd>(x.colwise() - x.col(0));
+  scene.bodies[0].basis = Basis{BasisKind::snapshots, count, 0, u, {}};
   return with_bases_made(std::move(scene));
+}
+
+// Central differences of U(c) are its forces, those of the forces its stiffness, at coordinates c inside a stage, where
+// v = (c - c*)/(g h); c* = 0 here.
+inline void expect_derivatives(const Model& model, const Eigen::VectorXd& c) {
+  constexpr double rate = 60, t = 0.03, e = 1e-6;
+  const Eigen::Index r = model.dofs();
+  TangentOperator tangent(model, 1);
+  tangent.free().setOnes();
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(r);
+  tangent.begin_step({still, still, 0, 0});
+  Eigen::VectorXd f(r), g(r), h(r), p(r), Kp(r);
+  const Eigen::VectorXd v = rate * c;
+  tangent.linearise({c, v, t, rate}, 0, Definiteness::none, f);
+  for (Eigen::Index k = 0; k < r; ++k) {
+    const Eigen::VectorXd d = e * model.node_size[k] * Eigen::VectorXd::Unit(r, k);
+    const Eigen::VectorXd above = c + d, below = c - d, va = rate * above, vb = rate * below;
+    const Motion up{above, va, t, rate}, down{below, vb, t, rate};
+    EXPECT_NEAR(-f[k], (tangent.energy(up) - tangent.energy(down)) / (2 * d[k]), 1e-6 * f.norm()) << k;
+    p.setUnit(r, k);
+    tangent.multiply(p, Kp);
+    tangent.forces(up, g);
+    tangent.forces(down, h);
+    EXPECT_LT((Kp + (g - h) / (2 * d[k])).norm(), 1e-6 * Kp.norm()) << k;
+  }
 }
 
 // A small block in space with everything that acts on one: a traction that rises, a pressure, a force, damping, a

@@ -1,11 +1,8 @@
 // Few elements that stand for all: the weights, what they are trained on, and what a body makes of them.
 #include "sim/study/cubature.h"
 
-#include <Eigen/Cholesky>
-
 #include "sim/build/parts.h"
 #include "sim/linear/nonnegative.h"
-#include "sim/solve/tangent_operator.h"
 #include "tests/sim/allocations.h"
 #include "tests/sim/basis_support.h"
 #include "tests/sim/json.h"
@@ -18,16 +15,6 @@ using test::loaded_block;
 using test::plane_cantilever;
 using test::reduced;
 using test::rms;
-
-Scene sampled(Scene scene, BasisKind kind, int count, double tolerance) {
-  for (Body& body : scene.bodies) {
-    body.basis.emplace();
-    body.basis->kind = kind;
-    body.basis->count = count;
-    body.basis->cubature = tolerance;
-  }
-  return with_bases_made(std::move(scene));
-}
 
 const Cubature& cubature(const Scene& scene) {
   return *scene.bodies[0].basis->vectors->cubature;
@@ -77,7 +64,6 @@ TEST(Cubature, ForcesOfAllElementsAddUpToThoseOfTheBody) {
   for (std::size_t e = 0; e < all.size(); ++e) all[e] = static_cast<int>(e);
   const Eigen::VectorXd sums = element_forces(scene, 0, all, c).rowwise().sum();
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const Eigen::VectorXd state = c.col(k) * parts.reduction->model.node_size.minCoeff();
     Eigen::VectorXd x, f, still;
     parts.reduction->lift->place(c.col(k), x);
     still = f = Eigen::VectorXd::Zero(x.size());
@@ -93,7 +79,7 @@ TEST(Cubature, KeepsTheErrorThatIsAskedFor) {
   const Scene full = plane_cantilever(1e6, "backward-euler");
   std::size_t before = 0;
   for (const double tolerance : {0.1, 0.03, 0.01}) {
-    const Scene scene = sampled(full, BasisKind::derivatives, 9, tolerance);
+    const Scene scene = reduced(full, BasisKind::derivatives, 9, tolerance);
     const Cubature& chosen = cubature(scene);
     EXPECT_LE(chosen.error, tolerance);
     EXPECT_GT(chosen.states, 40);
@@ -119,7 +105,6 @@ TEST(Cubature, OfARunIsAsGoodAsTheReference) {
     basis.snapshots = std::make_shared<const Eigen::MatrixXd>(fifth);
     basis.cubature = 0.01;
     scene = with_bases_made(scene);
-    std::cout << cubature(scene).elements.size() << " " << rms(full, frames(scene, 120), run) << std::endl;
     EXPECT_NEAR(static_cast<double>(cubature(scene).elements.size()) / expected["elements"].number, 1, 0.2);
     EXPECT_LT(rms(full, frames(scene, 120), run), 2 * expected["dynamic_rms"].number);
   }
@@ -129,7 +114,7 @@ TEST(Cubature, OfARunIsAsGoodAsTheReference) {
 TEST(Cubature, MovesTheBodyAsAllElementsDo) {
   const Scene full = plane_cantilever(1e6, "trapezoidal");
   const Eigen::MatrixXd run = frames(full, 60), all = frames(reduced(full, BasisKind::derivatives, 14), 60),
-                        few = frames(sampled(full, BasisKind::derivatives, 14, 0.01), 60);
+                        few = frames(reduced(full, BasisKind::derivatives, 14, 0.01), 60);
   const double error = rms(full, all, run);
   EXPECT_LT(rms(full, few, all), 0.2 * error);
   EXPECT_LT(rms(full, few, run), 1.2 * error);
@@ -138,47 +123,22 @@ TEST(Cubature, MovesTheBodyAsAllElementsDo) {
 TEST(Cubature, TakesAsManyElementsOnAFineMesh) {
   const auto elements = [](int n) {
     Scene scene = test::beam("tet4", n);
-    return static_cast<double>(cubature(sampled(scene, BasisKind::derivatives, 9, 0.02)).elements.size());
+    return static_cast<double>(cubature(reduced(scene, BasisKind::derivatives, 9, 0.02)).elements.size());
   };
   const double coarse = elements(2), fine = elements(5);
-  std::cout << coarse << " " << fine << std::endl;
   EXPECT_LT(fine, 1.5 * coarse);
 }
 
 // U(c), its forces and its stiffness belong together as with all elements: a step finds its minimum.
 TEST(Cubature, ForcesAndStiffnessAreDerivativesOfItsEnergy) {
-  const Scene scene = sampled(loaded_block("backward-euler"), BasisKind::derivatives, 6, 0.05);
-  const System system(scene);
+  const System system(reduced(loaded_block("backward-euler"), BasisKind::derivatives, 6, 0.05));
   const Model& model = parts_of(system).reduction->model;
-  TangentOperator tangent(model, 1);
-  tangent.free().setOnes();
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(6),
-                        c = 0.03 * test::random_vector(6, 1, 9).cwiseProduct(model.node_size);
-  constexpr double rate = 60, t = 0.03;
-  tangent.begin_step({still, still, 0, 0});
-  Eigen::VectorXd f(6), g(6), h(6), p(6), Kp(6);
-  const Eigen::VectorXd v = rate * c;
-  tangent.linearise({c, v, t, rate}, 0, Definiteness::none, f);
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    const Eigen::VectorXd d = 1e-6 * model.node_size[k] * Eigen::VectorXd::Unit(6, k);
-    const Eigen::VectorXd above = c + d, below = c - d, va = rate * above, vb = rate * below;
-    const Motion up{above, va, t, rate}, down{below, vb, t, rate};
-    EXPECT_NEAR(-f[k], (tangent.energy(up) - tangent.energy(down)) / (2 * d[k]), 1e-6 * f.norm());
-    p.setUnit(6, k);
-    tangent.multiply(p, Kp);
-    tangent.forces(up, g);
-    tangent.forces(down, h);
-    EXPECT_LT((Kp + (g - h) / (2 * d[k])).norm(), 1e-6 * Kp.norm());
-  }
+  test::expect_derivatives(model, 0.03 * test::random_vector(6, 1, 9).cwiseProduct(model.node_size));
 }
 
 TEST(Cubature, HasTheSameBitsForAnyThreadsAndWhenGoneOnWith) {
-  const Scene scene = sampled(loaded_block("bdf2"), BasisKind::derivatives, 6, 0.02);
-  const Scene again = [&] {
-    Scene other = loaded_block("bdf2");
-    other.bodies[0].basis = Basis{BasisKind::derivatives, 6, 0.02, {}, {}};
-    return with_bases_made(other, 4);
-  }();
+  const Scene scene = reduced(loaded_block("bdf2"), BasisKind::derivatives, 6, 0.02);
+  const Scene again = reduced(loaded_block("bdf2"), BasisKind::derivatives, 6, 0.02, 4);
   EXPECT_EQ(cubature(scene).elements, cubature(again).elements);
   EXPECT_EQ(cubature(scene).weights, cubature(again).weights);
   test::Stepped one(scene, 1), four(again, 4), then(scene, 2);
@@ -193,7 +153,7 @@ TEST(Cubature, HasTheSameBitsForAnyThreadsAndWhenGoneOnWith) {
 
 // Nothing but its own elements and the nodes of springs is touched in a step.
 TEST(Cubature, StepsTouchNothingOfTheMesh) {
-  Scene scene = sampled(loaded_block("backward-euler"), BasisKind::derivatives, 6, 0.05);
+  Scene scene = reduced(loaded_block("backward-euler"), BasisKind::derivatives, 6, 0.05);
   scene.bodies[0].loads.pressures.clear();
   const System system(scene);
   const Reduction& reduction = *parts_of(system).reduction;

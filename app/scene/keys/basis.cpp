@@ -47,7 +47,7 @@ constexpr Binding folder = {[](const Document& d, const Indices& i) {
 std::vector<Key> basis_keys() {
   return {
       {"body[].basis",
-       Form(Kind::table).tells(Effect::restart),
+       Form(Kind::table).tells(Effect::motion),
        {},
        "Moves the body in a few numbers, x = X + U c, instead of in all of its nodes; sim/reduce/README.md has what "
        "that "
