@@ -12,8 +12,10 @@ namespace {
 void add_show_options(CLI::App& command, Options& options) {
   CLI::Option* const show =
       command
-          .add_option("--show", options.trade.show_names,
-                      "Draw reference, scene and advice beside each other, and the runs of these names")
+          .add_option(
+              "--show", options.trade.show_names,
+              "Draw reference, scene and advice beside each other, and the runs of these names; with --ablate the "
+              "scene, and what it is without the features of these names")
           ->expected(0, -1)
           ->type_name("NAME");
   command.add_flag("--still", options.still, "Of --show, only the frame in which they differ most")->needs(show);

@@ -10,6 +10,7 @@
 #include "app/trade/costs.h"
 #include "app/trade/features.h"
 #include "app/trade/score.h"
+#include "app/trade/side_by_side.h"
 #include "app/trade/trade.h"
 
 namespace app {
@@ -54,6 +55,53 @@ void settle_stretch(Comparison& comparison, Notebook& notebook, std::size_t runs
             << " s are run: more does not fit into the time (--minutes)\n";
 }
 
+// The features that --show names, by any part of what the table calls them; all of them without a name.
+std::vector<TradeCase> named_features(const std::vector<TradeCase>& all, const std::vector<std::string>& names) {
+  if (names.empty()) return all;
+  std::vector<TradeCase> found;
+  for (const std::string& name : names) {
+    const std::size_t before = found.size();
+    for (const TradeCase& which : all)
+      if (which.label.find(name) != std::string::npos) found.push_back(which);
+    if (found.size() > before) continue;
+    std::string there;
+    for (const TradeCase& which : all) there += (there.empty() ? "" : "; ") + which.label;
+    throw std::runtime_error("--show " + name + ": no feature of the scene is called so: " + there);
+  }
+  return found;
+}
+
+// Every case beside the scene.
+std::vector<Removal> removals_of(const std::vector<TradeCase>& cases, const CaseRun& whole, Comparison& comparison,
+                                 Notebook& notebook) {
+  Scorer scorer(comparison);
+  References references;
+  references.check.frames = whole.path.frames();
+  scorer.set(references);
+  std::vector<Removal> removals;
+  for (const TradeCase& which : cases) {
+    const CaseRun& run = notebook.run(which, notebook.left());
+    removals.push_back({&run, 0, {}});
+    if (run.status == CaseStatus::done) removals.back().change = scorer.apart(run, whole);
+  }
+  std::ranges::stable_sort(removals, {}, [](const Removal& r) { return r.change.pixels; });
+  return removals;
+}
+
+// The scene at the left, and beside it what it is without a feature.
+void show_removals(const std::vector<Removal>& removals, const CaseRun& whole, const Costs& costs,
+                   const Comparison& comparison, const Options& options, const Interrupt& interrupt) {
+  const auto seconds = [&](const CaseRun& run) { return formatted("%.2g s", costs.seconds(run)); };
+  std::vector<Shown> shown = {{"the scene as it is", seconds(whole), &whole}};
+  for (const Removal& removal : removals)
+    if (removal.run->status == CaseStatus::done)
+      shown.push_back(
+          {"without " + removal.run->which.label,
+           percent(removal.change.rms) + formatted(" (%.2g px), ", removal.change.pixels) + seconds(*removal.run),
+           removal.run});
+  draw_side_by_side(comparison, shown, options, trade_folder(options) / "show", interrupt);
+}
+
 }  // namespace
 
 int ablate(const Options& options) {
@@ -62,37 +110,28 @@ int ablate(const Options& options) {
   const std::filesystem::path folder = trade_folder(options);
   Notebook notebook(comparison, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
                     interrupt);
-  const std::vector<TradeCase> cases = without_features(comparison.scene.document);
-  std::vector<Removal> removals;
+  const std::vector<TradeCase> cases =
+      named_features(without_features(comparison.scene.document), options.trade.show_names);
   try {
     settle_stretch(comparison, notebook, cases.size() + 1);
     const CaseRun& whole = notebook.run(scene_case(), notebook.left());
     if (whole.status != CaseStatus::done) throw std::runtime_error(options.scene.string() + ": " + whole.reason);
-    Scorer scorer(comparison);
-    References references;
-    references.check.frames = whole.path.frames();
-    scorer.set(references);
-    for (const TradeCase& which : cases) {
-      const CaseRun& run = notebook.run(which, notebook.left());
-      Removal removal{&run, 0, {}};
-      if (run.status == CaseStatus::done) removal.change = scorer.apart(run, whole);
-      removals.push_back(removal);
-    }
+    std::vector<Removal> removals = removals_of(cases, whole, comparison, notebook);
     const Costs costs(notebook.runs(), {});
-    for (Removal& removal : removals) removal.saved = 1 - costs.seconds(*removal.run) / costs.seconds(whole);
+    std::string table =
+        formatted("  %-46s %8s %10s %10s %10s\n", "the scene without", "saves %", "changes %", "at most %", "pixels");
+    std::string csv = "without,seconds_per_second,saved,change,change_max,change_pixels\n";
+    for (Removal& removal : removals) {
+      removal.saved = 1 - costs.seconds(*removal.run) / costs.seconds(whole);
+      table += line(removal);
+      csv += csv_line(removal);
+    }
+    write_atomically(folder / "ablate.csv", csv, false);
+    std::cout << table;
+    if (options.trade.show) show_removals(removals, whole, costs, comparison, options, interrupt);
   } catch (const Interrupted&) {
     return exit_interrupted;
   }
-  std::ranges::stable_sort(removals, {}, [](const Removal& r) { return r.change.pixels; });
-  std::string table =
-      formatted("  %-46s %8s %10s %10s %10s\n", "the scene without", "saves %", "changes %", "at most %", "pixels");
-  std::string csv = "without,seconds_per_second,saved,change,change_max,change_pixels\n";
-  for (const Removal& removal : removals) {
-    table += line(removal);
-    csv += csv_line(removal);
-  }
-  write_atomically(folder / "ablate.csv", csv, false);
-  std::cout << table;
   return exit_done;
 }
 

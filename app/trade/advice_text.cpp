@@ -3,6 +3,7 @@
 #include "app/base/json.h"
 #include "app/base/text.h"
 #include "app/base/version.h"
+#include "app/scene/scene_file.h"
 #include "app/trade/advice.h"
 #include "app/trade/table.h"
 
@@ -34,6 +35,7 @@ void add_score(Json& json, const Score& score) {
   add_apart(json, "total_error", score.total);
   json.member("error_bound", score.bound.rms).member("seconds_per_second", score.seconds);
   json.member("least_wall_seconds_per_second", run.work.least()).member("cpu_seconds_per_second", run.work.cpu);
+  if (run.training > 0) json.member("training_seconds", run.training);
   json.close_object();
 }
 
@@ -61,6 +63,26 @@ std::string bounded_text(const Score& score) {
   return error_text(error) + ", at most " + percent(score.bound.rms);
 }
 
+namespace {
+
+// What has to be made before the first step of a body that moves in a basis, and from what.
+std::string training_text(const Measurement& m, const CaseRun& run) {
+  if (!(run.training > 0)) return {};
+  const Options options = options_of(m.comparison.options, run.which);
+  const Document scene = load_scene(options.scene, options.settings, options.overrides);
+  std::string trained_on;
+  for (std::size_t b = 0; b < scene.scene.bodies.size(); ++b) {
+    const sim::Basis& basis = *scene.scene.bodies[b].basis;
+    if (basis.cubature == 0) continue;
+    trained_on += (trained_on.empty() ? "; trained on " : " and ") +
+                  (basis.snapshots ? "the states of " + scene.basis_folders[b].string()
+                                   : "what \"" + scene.scene.bodies[b].name + "\" does in it, swinging under loads");
+  }
+  return "  the basis takes " + seconds_text(run.training) + " to make, once" + trained_on + "\n";
+}
+
+}  // namespace
+
 std::string advice_text(const Measurement& m, const Advice& advice, const std::filesystem::path& settings) {
   if (!advice.chosen) return "No advice: no error is known.\n";
   const Score& chosen = *advice.chosen;
@@ -79,6 +101,7 @@ std::string advice_text(const Measurement& m, const Advice& advice, const std::f
           " per simulated second; found " + bounded_text(advice.found) + ", " + seconds_text(advice.found.seconds) +
           " (on this machine now: wall " + seconds_text(advice.fresh->work.least()) + ", CPU " +
           seconds_text(advice.fresh->work.cpu) + ")\n";
+  text += training_text(m, *chosen.run);
   text += "  ritz record " + m.comparison.options.scene.string() + " --settings " + settings.string();
   for (const auto& [key, value] : chosen.run->which.settings)
     if (key == thread_option) text += " " + key + " " + value;

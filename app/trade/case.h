@@ -61,6 +61,7 @@ struct CaseRun {
   sim::Trajectory path;  // of the scene's own nodes
   Work work;
   std::vector<sim::TimedStep> timed;  // some of its steps, all along it
+  double training = 0;                // s that making its bases took, once, before the first step
   double step = 0;                    // s, h
   int order = 0;                      // of the integrator
   std::int64_t dofs = 0;

@@ -46,8 +46,8 @@ std::string head(const CaseRun& run) {
 template <class Run, class F>
 void for_each_number(Run& run, const F& f) {
   auto& work = run.work;
-  for (auto* x :
-       {&run.step, &work.cpu, &work.steps, &work.newton, &work.force_evaluations, &work.factorisations, &work.linear})
+  for (auto* x : {&run.training, &run.step, &work.cpu, &work.steps, &work.newton, &work.force_evaluations,
+                  &work.factorisations, &work.linear})
     f(*x);
   for (auto& [counts, seconds] : run.timed) {
     for (auto* x : {&counts.steps, &counts.force_evaluations, &counts.factorisations, &counts.linear}) f(*x);

@@ -122,6 +122,7 @@ class Pass {
 
 void describe(const Comparison& comparison, const Simulation& simulation, CaseRun& run) {
   run.id = case_id(comparison, simulation.identity, options_of(comparison.options, run.which).threads);
+  run.training = simulation.basis_seconds;
   run.step = simulation.system->step_seconds();
   run.order = sim::find_scheme(simulation.document.scene.time.integrator)->order;
   run.dofs = simulation.system->counts().dofs;

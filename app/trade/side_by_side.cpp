@@ -79,7 +79,7 @@ class Column {
   // The same bodies, coloured by how many pixels they are away.
   void colour(int k, double reach, bool with_legend, render::Frame& frame) const {
     frame.look.legend = with_legend;
-    frame.scale = render::ColourScale{"magma", 0, static_cast<float>(reach), "away from the reference", "px"};
+    frame.scale = render::ColourScale{"magma", 0, static_cast<float>(reach), "away from the left", "px"};
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       const sim::BodyRange& body = system_.bodies()[i];
       frame.surfaces[i].values = surfaces_[i].values(apart_[k].segment(body.first_node, body.node_count));

@@ -1,4 +1,4 @@
-// `ritz trade --show`: runs beside each other as pictures, and below each how far it is from the reference.
+// `ritz trade --show`: runs beside each other as pictures, and below each how far it is from the one at the left.
 #pragma once
 
 #include <filesystem>

@@ -31,7 +31,9 @@ std::string row(const Score& score, bool on_front, const References& references)
                    run.which.label.c_str(), time_error(score, references).c_str(), in_percent(score.mesh).c_str(),
                    in_percent(score.total).c_str(), whole ? whole->pixels : 0.0, score.seconds, run.work.least(),
                    run.work.force_evaluations, run.work.factorisations, run.work.linear,
-                   run.not_converged > 0 ? "  not converged" : "");
+                   ((run.not_converged > 0 ? "  not converged" : "") +
+                    (run.training > 0 ? formatted("  after %.2g s of training", run.training) : std::string()))
+                       .c_str());
 }
 
 // Errors of one integrator.
@@ -95,7 +97,7 @@ constexpr std::string_view header =
     "mesh_pixels,model_error,model_error_max,model_pixels,total_error,total_error_max,total_pixels,error_bound,"
     "resolved,"
     "energy_drift,momentum_drift,centre_error,mean_energy,seconds_per_second,least_wall_per_second,cpu_per_second,"
-    "timed_runs,"
+    "training_seconds,timed_runs,"
     "steps_per_second,newton_per_second,force_evaluations_per_second,factorisations_per_second,linear_per_second,"
     "not_converged,compared_seconds,front,id\n";
 
@@ -133,6 +135,7 @@ std::string trade_csv(const std::vector<const Score*>& scores, const Comparison&
     row.number(score->seconds)
         .number(work.least())
         .number(work.cpu)
+        .number(run.training)
         .number(double(work.seconds.size()))
         .number(work.steps);
     row.number(work.newton).number(work.force_evaluations).number(work.factorisations).number(work.linear);
