@@ -19,6 +19,7 @@ std::unique_ptr<Exhibit> make_step_limit(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_definiteness(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_momentum(const ExhibitInput&);
 std::unique_ptr<Exhibit> make_ring_down(const ExhibitInput&);
+std::unique_ptr<Exhibit> make_reduced_basis(const ExhibitInput&);
 
 std::span<const ExhibitKind> exhibit_kinds() {
   static const std::vector<ExhibitKind> table = {
@@ -51,6 +52,7 @@ std::span<const ExhibitKind> exhibit_kinds() {
       {"definiteness", "eigenvalues and three paths of Newton", {"body", "nodes", "pace"}, make_definiteness},
       {"momentum", "what free bodies keep of their momentum", {}, make_momentum},
       {"ring-down", "a mode that is damped", {"body"}, make_ring_down},
+      {"reduced-basis", "a body in all of its nodes and in r numbers", {"body", "pace", "values"}, make_reduced_basis},
   };
   return table;
 }

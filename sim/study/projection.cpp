@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/build/parts.h"
+#include "sim/solve/mass_product.h"
 #include "sim/stepper.h"
 #include "sim/study/swing.h"
 
@@ -34,9 +35,14 @@ Eigen::MatrixXd stepped(const Scene& scene, int steps, int threads) {
 }
 
 double squared(const Model& model, const Eigen::VectorXd& u) {
-  Eigen::VectorXd Mu = Eigen::VectorXd::Zero(u.size());
-  for (const Mass& mass : model.masses) mass.add_product(1, u, Mu, model.D);
-  return u.dot(Mu);
+  return u.dot(mass_product(model, u));
+}
+
+// Displacements as shares of the size of the body that they are of.
+Eigen::VectorXd over_size(const Model& model, Eigen::VectorXd d) {
+  for (Eigen::Index node = 0; node < model.body_nodes; ++node)
+    d.segment(node * model.D, model.D) /= model.node_size[node];
+  return d;
 }
 
 // What the basis leaves of a displacement.
@@ -48,10 +54,13 @@ Eigen::VectorXd left_of(const Reduction& reduction, const Eigen::VectorXd& u) {
 
 }  // namespace
 
+Eigen::MatrixXd displacement_at_rest(Scene scene, int threads) {
+  scene.time.integrator = "static";
+  return stepped(scene, 1, threads);
+}
+
 Eigen::MatrixXd rest_of_full(const Scene& scene, int threads) {
-  Scene still = without_bases(scene);
-  still.time.integrator = "static";
-  return stepped(still, 1, threads);
+  return displacement_at_rest(without_bases(scene), threads);
 }
 
 Eigen::MatrixXd swing_of_full(const Scene& scene, int threads) {
@@ -72,21 +81,20 @@ std::optional<double> projection_error(const System& reduced, const Eigen::Matri
   return std::sqrt(left / all);
 }
 
+double share_of_size(const System& system, const Eigen::VectorXd& d) {
+  const Model& model = parts_of(system).model;
+  double mass = 0;
+  for (const Mass& body : model.masses) mass += body.total();
+  return std::sqrt(squared(model, over_size(model, d)) / mass);
+}
+
 Compared compare(const System& reduced, std::span<const std::int64_t> steps, const Eigen::MatrixXd& u, int threads) {
   const Parts& parts = parts_of(reduced);
   const Model& model = parts.model;
-  double mass = 0;
-  for (const Mass& body : model.masses) mass += body.total();
-  // A body's displacements are shares of its size.
-  const auto scaled = [&](Eigen::VectorXd d) {
-    for (Eigen::Index node = 0; node < model.body_nodes; ++node)
-      d.segment(node * model.D, model.D) /= model.node_size[node];
-    return d;
-  };
   const auto stepper = make_stepper(reduced, useful_threads(reduced, threads));
   State state = reduced.initial_state();
   Compared result;
-  double best = 0, made = 0;
+  Eigen::Array2d sums = {0, 0};  // of the squares: as near as the basis can come, and what its run comes to
   for (std::size_t k = 0; k < steps.size(); ++k) {
     while (state.step < steps[k]) {
       const StepReport report = stepper->step(state);
@@ -94,13 +102,15 @@ Compared compare(const System& reduced, std::span<const std::int64_t> steps, con
       result.failure = failure_text(reduced, report);
       return result;
     }
-    const Eigen::VectorXd full = u.col(static_cast<Eigen::Index>(k)), off = scaled(state.x - model.X - full);
-    best += squared(model, scaled(left_of(*parts.reduction, full)));
-    made += squared(model, off);
-    result.most = std::max(result.most, off.reshaped(model.D, off.size() / model.D).colwise().norm().maxCoeff());
+    const Eigen::VectorXd full = u.col(static_cast<Eigen::Index>(k)), off = state.x - model.X - full;
+    sums +=
+        Eigen::Array2d(share_of_size(reduced, left_of(*parts.reduction, full)), share_of_size(reduced, off)).square();
+    const Eigen::VectorXd shares = over_size(model, off);
+    result.most = std::max(result.most, shares.reshaped(model.D, off.size() / model.D).colwise().norm().maxCoeff());
   }
-  result.best = std::sqrt(best / (mass * static_cast<double>(steps.size())));
-  result.made = std::sqrt(made / (mass * static_cast<double>(steps.size())));
+  const Eigen::Array2d means = (sums / static_cast<double>(steps.size())).sqrt();
+  result.best = means[0];
+  result.made = means[1];
   return result;
 }
 

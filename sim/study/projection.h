@@ -9,10 +9,14 @@
 
 namespace sim {
 
-// Displacements of all nodes of the system [m], D numbers per node x states, of the scene without its bases: at rest,
-// and in the first half of the first swing, to its far end. Empty where that cannot be computed.
+// Displacements of all nodes of the system [m], D numbers per node x states, empty where they cannot be computed: of a
+// scene at rest, and of one without its bases at rest, and in the first half of the first swing, to its far end.
+Eigen::MatrixXd displacement_at_rest(Scene scene, int threads);
 Eigen::MatrixXd rest_of_full(const Scene& scene, int threads);
 Eigen::MatrixXd swing_of_full(const Scene& scene, int threads);
+
+// The root mean square over the mass of displacements d, as a share of the body's size [mathematics.md 9].
+double share_of_size(const System& system, const Eigen::VectorXd& d);
 
 // In the mass norm, over all states: |u - U U^T M u| / |u|, of displacements of the nodes of a system that moves in a
 // basis; none where nothing is displaced.

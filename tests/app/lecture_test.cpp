@@ -125,6 +125,24 @@ TEST(LecturePages, ShowTheNumbersThatProveThem) {
   EXPECT_EQ(text_of(order, "order"), "1.99");
 }
 
+// reduced.json: 2 modes and 3 derivatives 0.0265 %, 40 modes 2.30 %; and r counts up, its curve with it.
+TEST(LecturePages, FewNumbersHaveTheErrorsOfTheReference) {
+  const std::filesystem::path file = deck_folder / "14-reduced-basis.toml";
+  EXPECT_EQ(text_of(sheets(file, 1, {{"exhibit.0.values", "[5]"}})[0], "derivatives.5"), "0.0264");
+  EXPECT_EQ(text_of(sheets(file, 1, {{"exhibit.0.values", "[40]"}})[0], "modes.40"), "2.2982");
+  const std::vector<render::Sheet> counting = sheets(file, 70);
+  for (const auto& [frame, r] : {std::pair{0, "1"}, {29, "1"}, {30, "2"}, {60, "5"}})
+    EXPECT_EQ(text_of(counting[static_cast<std::size_t>(frame)], "r"), r) << frame;
+  const render::Diagram& curves = counting.back().diagrams[1];
+  ASSERT_EQ(curves.strokes.size(), 2U);
+  for (const render::Stroke& curve : curves.strokes) EXPECT_EQ(curve.points.size(), 3U);
+  EXPECT_EQ(text_of(counting.back(), "derivatives.5"), "0.0264");
+  EXPECT_NE(error_of([&] {
+              sheets(file, 1, {{"exhibit.0.values", "[41]"}});
+            }).find("whole numbers from 1 to 40"),
+            std::string::npos);
+}
+
 // With another basis, other rows, another matrix: low_dimensional.json as it is printed.
 TEST(LecturePages, FiveVectorsAreThoseOfTheTable) {
   const std::filesystem::path file = deck_folder / "04-five-vectors.toml";
