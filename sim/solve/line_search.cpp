@@ -8,8 +8,9 @@ namespace sim {
 
 namespace {
 
-constexpr double armijo = 1e-4;         // share of the predicted decrease that a step must give
-constexpr double straight = 0.8;        // share of the promised fall; a tangent that is right gives half
+constexpr double armijo = 1e-4;     // share of the predicted decrease that a step must give
+constexpr double by_slopes = 0.25;  // the same, told by the slopes at both ends: where there is a kink, less is luck
+constexpr double straight = 0.8;    // share of the promised fall; a tangent that is right gives half
 constexpr double energy_noise = 1e-14;  // round-off of the stage's potential, relative to its parts
 
 }  // namespace
@@ -53,7 +54,7 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
     }
     if (potential_here <= before + fine) {
       const double there = slope_at(stage, motion, report);
-      if (there <= (2 * armijo - 1) * slope) return {a, -a * (slope + there) / 2, -slope};
+      if (there <= (2 * by_slopes - 1) * slope) return {a, -a * (slope + there) / 2, -slope};
     }
     ++report.backtracks;
   }

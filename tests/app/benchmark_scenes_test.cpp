@@ -41,5 +41,24 @@ TEST(BenchmarkScenes, EndWhereTheirReferencesSay) {
   EXPECT_LT(worst_error("elastica.toml"), 0.002);
 }
 
+// Friction has kinks. Where a step over one raised the energy by less than what round-off may hide, Newton's method
+// went to and fro between two places until solver.max_iterations.
+TEST(BenchmarkScenes, FrictionEvaluatedAnewTakesTensOfIterations) {
+  Options options;
+  options.scene = std::filesystem::path(RITZ_SOURCE_DIR) / "assets/scenes/arch.toml";
+  options.overrides = {{"time.integrator", "tr-bdf2", ""},
+                       {"time.substeps", "4", ""},
+                       {"solver.tolerance", "1e-4", ""},
+                       {"solver.lag_iterations", "1", ""}};
+  const Simulation simulation = build_simulation(options);
+  sim::State state = simulation.system->initial_state();
+  const auto stepper = sim::make_stepper(*simulation.system, 1);
+  while (state.step < 12) {
+    const sim::StepReport report = stepper->step(state);
+    EXPECT_TRUE(report.converged) << state.step << ": " << report.reason;
+    EXPECT_LT(report.newton, 100) << state.step;
+  }
+}
+
 }  // namespace
 }  // namespace app
