@@ -21,14 +21,15 @@ Vec3 direction_between(PairKind kind, const Vec3* x, const Nearest& at) {
   return n.dot(x[0] - x[first_count(kind)]) < 0 ? Vec3(-n) : n;
 }
 
-// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second.
+// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second; not
+// below 0 where round-off says that it is so already.
 double advance_to(PairKind kind, const Vec3* x, const Vec3* dx, const Vec3& n, double left) {
   const int nodes = node_count(kind), first = first_count(kind);
   double a = std::numeric_limits<double>::infinity();
   for (int i = 0; i < first; ++i)
     for (int j = first; j < nodes; ++j)
       if (const double fall = n.dot(dx[j] - dx[i]); fall > 0) a = std::min(a, (n.dot(x[i] - x[j]) - left) / fall);
-  return a;
+  return std::max(a, 0.0);
 }
 
 }  // namespace

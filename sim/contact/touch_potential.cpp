@@ -52,13 +52,14 @@ PairVector TouchPotential::gradient() const {
 
 // weight [b Hess M + b' (grad M grad d^T + grad d grad M^T) + M Hess b]
 PairMatrix TouchPotential::tangent(Definiteness fix) const {
-  if (touch.e == 0) return touch.weight * pair_tangent(distance, b.first, b.second, fix);
+  if (touch.e == 0) return pair_tangent(distance, touch.weight * b.first, touch.weight * b.second, fix);
   const MollifierTangent own(x, touch.e);
   const PairVector g = spread(touch, distance.gradient());
   const PairMatrix cross = b.first * own.gradient * g.transpose();
-  const PairMatrix H = b.b * own.hessian + cross + cross.transpose() +
-                       M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none));
-  return touch.weight * (fix == Definiteness::none ? H : without_negative_part(H));
+  const PairMatrix H =
+      touch.weight * (b.b * own.hessian + cross + cross.transpose() +
+                      M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none)));
+  return fix == Definiteness::none ? H : without_negative_part(H);
 }
 
 }  // namespace sim

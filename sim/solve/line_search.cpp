@@ -1,8 +1,10 @@
 // How far Newton's method goes along a direction.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/solve/newton.h"
+#include "sim/solve/turning.h"
 
 namespace sim {
 
@@ -40,17 +42,23 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
   double a = limit < 1 ? step_share * limit : 1;
   x_from_ = x;
   v_from_ = v;
-  // What is in the way could be gone around by a few long moves, each of them free.
-  const bool may_lengthen = !pure_ && !tangent_.limits_moves();
   const double noise = noise_of(before), fine = too_fine * (model_.energy_scale + std::abs(before));
   for (int k = 0; k <= most_cuts; ++k, a *= 0.5) {
     move(stage, a, x, v);
     potential_here = potential(stage, motion);
     const double fall = before - potential_here - noise;
     if (fall >= -armijo * a * slope - 2 * noise) {
-      const bool plane = may_lengthen && a == 1 && fall > straight * -slope;
+      const bool plane = !pure_ && a == 1 && fall > straight * -slope;
       if (plane) a = lengthen(stage, motion, before, slope, potential_here, x, v);
       return {a, before - potential_here - noise, -slope};
+    }
+    // Along a line it does not go so far, but a body that turns may get there.
+    if (turn(stage, motion, a, x, v)) {
+      potential_here = potential(stage, motion);
+      const double turned_fall = before - potential_here - noise;
+      if (turned_fall >= -armijo * a * slope) return {a, turned_fall, -slope};
+      move(stage, a, x, v);
+      potential_here = before - fall - noise;
     }
     if (potential_here <= before + fine) {
       const double there = slope_at(stage, motion, report);
@@ -63,6 +71,28 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
   return {0, 0, -slope};
 }
 
+// Goes the part a of dx_ with bodies that turn. False, and stays: none does, or something is in their way.
+bool Newton::turn(const StageProblem& stage, const Motion& motion, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) {
+  constexpr double least = 1e-3;  // radian: it stretches by less than is worth a potential
+  if (pure_) return false;
+  product_ = a * dx_;
+  if (!turn_along(model_, tangent_.free(), least, x_from_, product_, turned_)) return false;
+  move(stage, 0, x, v);
+  const bool is_free = !(tangent_.largest_step(motion, turned_) < 1);
+  if (is_free) dx_.swap(turned_);
+  move(stage, is_free ? 1 : a, x, v);
+  if (is_free) dx_.swap(turned_);
+  return is_free;
+}
+
+// How often dx_ may be taken at once. What is in the way could be gone around by a few long moves, each of them free:
+// by nothing that is longer than barriers are wide.
+double Newton::longest(const StageProblem& stage) const {
+  constexpr double width = 1e-3;  // of a body's size
+  if (!tangent_.limits_moves()) return std::numeric_limits<double>::infinity();
+  return width / (largest_increment(stage) * (stage.gh == 0 ? 1 : stage.gh));
+}
+
 // A whole step has lowered the potential almost as if it were a plane: the tangent, made definite, is too stiff along
 // dx_. Goes on to where the parabola through slope and fall is lowest,
 //   fall(a) = promised (a - c a^2):  a = 1/(2c),
@@ -72,11 +102,12 @@ double Newton::lengthen(const StageProblem& stage, const Motion& motion, double 
                         double& potential_here, Eigen::VectorXd& x, Eigen::VectorXd& v) {
   constexpr int most_tries = 10;
   constexpr double most_at_once = 16, worth_it = 1.5;  // times as long
-  const double noise = noise_of(before);
+  const double noise = noise_of(before), most = longest(stage);
   double a = 1;
   for (int k = 0; k < most_tries; ++k) {
     const double share = (before - potential_here - noise) / (a * -slope);
     double longer = share < 1 ? std::min(1 / (2 * (1 - share)), most_at_once) : most_at_once;
+    longer = std::min(longer, most / a);
     product_ = (longer - 1) * a * dx_;
     if (longer < worth_it || tangent_.largest_step(motion, product_) < 1) break;
     double after = potential_here;

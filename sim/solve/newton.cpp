@@ -31,6 +31,7 @@ Newton::Newton(const Model& model, int threads)
       v_from_(model.dofs()),
       difference_(model.dofs()),
       product_(model.dofs()),
+      turned_(model.dofs()),
       way_(Eigen::VectorXd::Zero(model.dofs())) {}
 
 void Newton::begin_step(const Motion& start, double t_end, const KeptFactor& kept) {
@@ -155,17 +156,18 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
   constexpr int most_moves = 200;
   // Surfaces that touch must move together to a small part of their gap, which is a tiny part of the way.
   constexpr double tight = 1e-9;
+  constexpr double least_part = 100 * tight;  // of the way: what is left of a gap is smaller than the solve's error
   for (int k = 0; has_way_to_go(stage, x); ++k) {
     is_moving_ = true;
     const bool found = direction(stage, motion, fix_, false, tight, report);
     is_moving_ = false;
-    if (k == most_moves || !found) {
+    ++report.newton;
+    dx_ += way_;
+    const double limit = found ? tangent_.largest_step(motion, dx_) : 0;
+    if (k == most_moves || limit < least_part) {
       report.failure = pressed_text(model_, motion, way_);
       return false;
     }
-    ++report.newton;
-    dx_ += way_;
-    const double limit = tangent_.largest_step(motion, dx_);
     double a = limit < 1 ? step_share * limit : 1;
     x_from_ = x;
     v_from_ = v;

@@ -61,6 +61,7 @@ class Newton {
     double promised;  // by the slope, for all of dx_ [J]
   };
   double noise_of(double potential) const;
+  double longest(const StageProblem& stage) const;
   double lengthen(const StageProblem& stage, const Motion& motion, double before, double slope, double& potential_here,
                   Eigen::VectorXd& x, Eigen::VectorXd& v);
   Move line_search(const StageProblem& stage, const Motion& motion, double& potential_here, Eigen::VectorXd& x,
@@ -69,6 +70,7 @@ class Newton {
   double slope_at(const StageProblem& stage, const Motion& motion, StepReport& report);
   double largest_increment(const StageProblem& stage) const;
   void move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const;
+  bool turn(const StageProblem& stage, const Motion& motion, double a, Eigen::VectorXd& x, Eigen::VectorXd& v);
   // M (v - v_start) - impulse
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
@@ -83,6 +85,7 @@ class Newton {
   bool kept_tangent_ = false;  // it is that of the iteration before
   double residual_norm_ = 0;   // there, N
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
+  Eigen::VectorXd turned_;  // a part of dx_ that turns bodies
   Eigen::VectorXd way_;     // of prescribed components to their places
   bool is_moving_ = false;  // they are on it
 };

@@ -158,11 +158,7 @@ void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store
     const Touch& touch = s.touches[k];
     s.blocks[k].point = touch.point;
     s.blocks[k].count = points_in(touch);
-    // A count below 0, in a hollow, pulls: a negative part, kept only in the exact tangent.
-    if (touch.weight < 0 && fix != Definiteness::none)
-      s.blocks[k].K.setZero();
-    else
-      s.blocks[k].K = TouchPotential(touch, in_.couples[touch.couple], s.x).tangent(fix);
+    s.blocks[k].K = TouchPotential(touch, in_.couples[touch.couple], s.x).tangent(fix);
   }
   for (std::size_t k = 0; k < sticks; ++k) {
     const Stick& stick = s.sticks[k];
@@ -225,14 +221,15 @@ Vec3 ContactTerm::on_first(const Couple& couple, const std::array<int, 4>& point
   return sum;
 }
 
-// What lies under the points that a face pushes; points of both sides carry half of it each.
+// What lies under the points that a face pushes; points of both sides carry half of it each, in space less what edges
+// do.
 double ContactTerm::area_of(const Candidate& candidate, Contacts& s) const {
   if (candidate.kind == PairKind::edge_edge) return 0;
   std::vector<Touch> touches;
   add_touches(in_.skin, in_.couples, candidate, s.x, touches);
   double area = 0;
   for (const Touch& touch : touches) area += touch.weight / in_.couples[touch.couple].kappa;
-  return area;
+  return in_.skin.D == 2 ? area : area / (1 - edge_share);
 }
 
 std::vector<ContactReport> ContactTerm::reports(const Motion& begin, const Motion& motion) const {

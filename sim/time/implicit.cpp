@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/solve/stopwatch.h"
+#include "sim/solve/turning.h"
 #include "sim/term/untangle.h"
 #include "sim/time/finish.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr int most_halvings = 4;  // of a step: 16 parts at most
 
 // Where an iteration may start.
-enum class Guess { stay, flight, carried_on };
+enum class Guess { stay, flight, turned, carried_on };
 
 }  // namespace
 
@@ -26,14 +27,15 @@ ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int t
       may_gain_(!scheme.is_static && newton_.tangent().limits_moves()),
       begin_(most_halvings + 1) {
   // What a scheme has no use for is zero: a static step leaves a state without a force, not with what memory held.
-  for (Eigen::VectorXd* v : {&x_star_, &v_start_, &way_, &target_, &impulse_, &x_first_, &v_first_, &force_first_, &x_,
-                             &v_, &x_lagged_, &v_lagged_, &force_, &barrier_impulse_})
+  for (Eigen::VectorXd* v : {&x_star_, &v_start_, &way_, &target_, &turned_, &impulse_, &x_first_, &v_first_,
+                             &force_first_, &x_, &v_, &x_lagged_, &v_lagged_, &force_, &barrier_impulse_})
     v->setZero(model.dofs());
 }
 
-// Puts the start of the iteration into x_, v_: free flight, the acceleration of the step before carried on, or x_n,
-// whichever has the lowest potential. No iterate has a higher one, so that even an iteration which is cut short ends no
-// higher than where the step began. Returns that potential, where it was evaluated.
+// Puts the start of the iteration into x_, v_: free flight, the same with bodies that turn, the acceleration of the
+// step before carried on, or x_n, whichever has the lowest potential. No iterate has a higher one, so that even an
+// iteration which is cut short ends no higher than where the step began. Returns that potential, where it was
+// evaluated.
 std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const Scheme& scheme, double h) {
   const Motion motion{x_, v_, problem.t, problem.gh == 0 ? 0 : 1 / problem.gh, problem.barriers};
   if (scheme.is_static || scheme.one_iteration) {
@@ -49,6 +51,8 @@ std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const 
   const auto aim = [&](Guess start) {
     if (start == Guess::flight)
       v_ = v_start_;
+    else if (start == Guess::turned)
+      v_ = (next_.x + turned_ - x_star_) / problem.gh;
     else if (start == Guess::carried_on)
       v_ = v_start_ + (problem.gh / h) * (next_.v - next_.v_before);
     else
@@ -58,8 +62,9 @@ std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const 
   };
   Guess best = Guess::stay, last = Guess::stay;
   double lowest = std::numeric_limits<double>::infinity(), staying = lowest;
-  for (const Guess start : {Guess::stay, Guess::flight, Guess::carried_on}) {
+  for (const Guess start : {Guess::stay, Guess::flight, Guess::turned, Guess::carried_on}) {
     if (start == Guess::carried_on && next_.v_before.size() == 0) continue;
+    if (start == Guess::turned && !flight_turns(problem)) continue;
     last = start;
     aim(start);
     const double potential = newton_.potential(problem, motion);
@@ -76,6 +81,14 @@ std::optional<double> ImplicitStepper::guess(const StageProblem& problem, const 
   aim(Guess::stay);
   limit_guess(problem);
   return {};
+}
+
+// Into turned_: free flight from x_n, in which bodies turn by so much that they would be stretched along a straight
+// way.
+bool ImplicitStepper::flight_turns(const StageProblem& problem) {
+  constexpr double least = 0.05;  // radian: 1e-3 of strain
+  way_ = x_star_ + problem.gh * v_start_ - next_.x;
+  return turn_along(model_, newton_.tangent().free(), least, next_.x, way_, turned_);
 }
 
 // The start of the iteration is a move from x_n like every other: it ends before what it would pass through, prescribed

@@ -28,6 +28,7 @@ class ImplicitStepper final : public Stepper {
   bool attempt(const Interval& interval, const Scheme& scheme, const State& begin, StepReport& report);
   bool take_stage(const Scheme& scheme, const Stage& stage, int number, double h, double t_begin, StepReport& report);
   std::optional<double> guess(const StageProblem& problem, const Scheme& scheme, double h);
+  bool flight_turns(const StageProblem& problem);
   bool limit_guess(const StageProblem& problem);
   void find_force(const StageProblem& problem);
   void leave_out_barriers(const StageProblem& problem);
@@ -41,7 +42,7 @@ class ImplicitStepper final : public Stepper {
   bool in_vain_ = false;      // halving did not help in the step under way
   State next_;                // the step under way; the caller's state is untouched until it is done
   std::vector<State> begin_;  // where the step, and its halves, began; by depth
-  Eigen::VectorXd x_star_, v_start_, impulse_, way_, target_;
+  Eigen::VectorXd x_star_, v_start_, impulse_, way_, turned_, target_;
   Eigen::VectorXd x_first_, v_first_, force_first_;  // first stage of two
   Eigen::VectorXd x_, v_, force_;                    // the stage under way
   Eigen::VectorXd barrier_impulse_;                  // in the stage before, kg m/s
