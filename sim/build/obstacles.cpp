@@ -1,7 +1,10 @@
 #include "sim/build/obstacles.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "sim/body/pose.h"
 #include "sim/build/contacts.h"
@@ -20,31 +23,77 @@ auto own_numbers(const Model& model, const ObstacleNodes& nodes, Eigen::VectorXd
   return x.segment(static_cast<Eigen::Index>(nodes.first) * model.D, static_cast<Eigen::Index>(nodes.count) * model.D);
 }
 
-// Nodes of all surfaces that may touch an obstacle. What a pin holds for good touches only what moves.
-// kappa A_i with a tenth of Young's modulus, as in contact, and the node's share A_i of the surface: about that
-// pressure is carried at half of the barrier's width, at any mesh.
-std::vector<ObstacleTerm::Contact> surface_nodes(const Model& model, bool obstacle_moves) {
+// kappa A with a tenth of Young's modulus, as in contact, and the patch's area A: about that pressure is carried at
+// half of the barrier's width, at any mesh.
+double weight(const Body& body, double area) {
   constexpr double tenth = 0.1;
-  const std::vector<char> still = still_nodes(model);
+  return tenth * body.materials[0].young * area;
+}
+
+// At rest; in the plane the length times the thickness [m^2]. nodes: of the system.
+double area_of(const Model& model, std::size_t body, std::span<const int> nodes) {
+  Vec3 x[3] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    x[i].head(model.D) = model.X.segment(static_cast<Eigen::Index>(nodes[i]) * model.D, model.D);
+  if (model.D == 2) return (x[1] - x[0]).norm() * model.bodies[body].thickness;
+  return 0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm();
+}
+
+Skin surface_of(const Model& model, std::size_t body) {
+  Skin skin;
+  skin.D = model.D;
+  add_part(skin, model.bodies[body], model.ranges[body].first_node);
+  return skin;
+}
+
+// What a pin holds for good (`held`, of each node) touches only what moves.
+std::vector<ObstacleTerm::Contact> patches_before(const Plane&, const Model& model, const std::vector<char>& held) {
   std::vector<ObstacleTerm::Contact> contacts;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Body& body = model.bodies[b];
-    Skin skin;
-    skin.D = model.D;
-    add_part(skin, body, model.ranges[b].first_node);
+    const Skin skin = surface_of(model, b);
     for (std::size_t p = 0; p < skin.node.size(); ++p)
-      if (obstacle_moves || !still[skin.node[p]])
-        contacts.push_back({skin.node[p], tenth * body.materials[0].young * skin.point_area[p]});
+      if (!held[skin.node[p]]) contacts.push_back({{skin.node[p]}, 1, weight(model.bodies[b], skin.point_area[p])});
   }
   return contacts;
+}
+
+// A face with a node that is held within the sphere cannot be kept out of it.
+std::vector<ObstacleTerm::Contact> patches_before(const Sphere& sphere, const Model& model,
+                                                  const std::vector<char>& held) {
+  const auto is_within = [&](int node) {
+    Vec3 x = Vec3::Zero();
+    x.head(model.D) = model.x_start.segment(static_cast<Eigen::Index>(node) * model.D, model.D);
+    return held[node] && (x - sphere.centre).norm() <= sphere.radius;
+  };
+  std::vector<ObstacleTerm::Contact> contacts;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Skin skin = surface_of(model, b);
+    for (std::size_t f = 0; f < skin.faces.size(); ++f) {
+      ObstacleTerm::Contact contact{{}, skin.corners(), 0};
+      const auto nodes = std::span(contact.node.data(), contact.count);
+      for (int i = 0; i < contact.count; ++i) nodes[i] = skin.node[skin.faces[f][i]];
+      std::sort(nodes.begin(), nodes.end());
+      contact.kappa = weight(model.bodies[b], area_of(model, b, nodes));
+      if (std::all_of(nodes.begin(), nodes.end(), [&](int node) { return held[node]; })) continue;
+      if (std::none_of(nodes.begin(), nodes.end(), is_within)) contacts.push_back(contact);
+    }
+  }
+  return contacts;
+}
+
+std::vector<ObstacleTerm::Contact> patches(const Model& model, const Obstacle& obstacle) {
+  const std::vector<char> held =
+      obstacle.motion.empty() ? still_nodes(model) : std::vector<char>(static_cast<std::size_t>(model.node_count), 0);
+  if (const auto* plane = std::get_if<Plane>(&obstacle.shape)) return patches_before(*plane, model, held);
+  return patches_before(std::get<Sphere>(obstacle.shape), model, held);
 }
 
 void add_smooth(Parts& parts, std::size_t k) {
   Model& model = parts.model;
   const Obstacle& obstacle = model.obstacles[k];
   const double reach = of_body * model.smallest_size();
-  auto term = std::make_unique<ObstacleTerm>(obstacle, model.obstacle_nodes[k],
-                                             surface_nodes(model, !obstacle.motion.empty()), reach, reach, model.D);
+  auto term = std::make_unique<ObstacleTerm>(obstacle, model.obstacle_nodes[k], patches(model, obstacle), reach, reach,
+                                             model.D);
   model.smooth.push_back(term.get());
   for (const BodyRange& body : model.ranges) part_from_obstacle(*term, key_of("obstacle", k), body, reach / 2, model);
   model.terms.push_back(std::move(term));

@@ -3,57 +3,53 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <variant>
 
 #include "sim/element/element.h"
-#include "sim/mesh/boundary.h"
 #include "sim/mesh/input_error.h"
 #include "sim/mesh/locate.h"
 
 namespace sim {
 namespace {
 
-// The surface node that is deepest in the obstacle.
+// The patch that is deepest in the obstacle.
 struct Deepest {
   double distance = std::numeric_limits<double>::infinity();  // m
   Vec3 out = {0, 0, 0};                                       // normal of the obstacle there
   double largest = 0;                                         // m, of all coordinates of the body
 };
 
-std::vector<Vec3> surface_points(const BodyRange& body, const std::vector<char>& still, const Model& model) {
-  const Eigen::MatrixXi facets = surface_facets(*body.mesh);
-  std::vector<int> nodes(facets.data(), facets.data() + facets.size());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  std::vector<Vec3> points;
-  for (const int node : nodes) {
-    if (still[body.first_node + node]) continue;
-    Vec3 x = Vec3::Zero();
-    x.head(model.D) = model.x_start.segment(static_cast<Eigen::Index>(body.first_node + node) * model.D, model.D);
-    points.push_back(x);
-  }
-  return points;
+std::vector<Patch> patches_of(const ObstacleTerm& term, const BodyRange& body, const Model& model) {
+  std::vector<Patch> patches;
+  for (const ObstacleTerm::Contact& contact : term.contacts())
+    if (contact.node[0] >= body.first_node && contact.node[0] < body.first_node + body.node_count)
+      patches.push_back(term.patch(model.x_start, contact));
+  return patches;
 }
 
-Deepest find_deepest(const ObstacleTerm::Shape& obstacle, const std::vector<Vec3>& points) {
+Deepest find_deepest(const ObstacleTerm::Shape& obstacle, const std::vector<Patch>& patches) {
   Deepest deepest;
-  for (const Vec3& x : points) {
-    Vec3 normal;
-    const double d = distance(obstacle, x, normal);
-    deepest.largest = std::max(deepest.largest, x.cwiseAbs().maxCoeff());
-    if (d < deepest.distance) deepest = {d, normal, deepest.largest};
+  for (const Patch& at : patches) {
+    const Approach near = std::visit([&](const auto& it) { return Approach(it, at); }, obstacle);
+    for (int i = 0; i < at.count; ++i) deepest.largest = std::max(deepest.largest, at.x[i].cwiseAbs().maxCoeff());
+    if (near.d < deepest.distance) deepest = {near.d, near.normal, deepest.largest};
   }
   return deepest;
 }
 
-// The least t [m] for which distance(x + t n) > 0, by doubling and halving, as any shape can say its distance.
-double way_out(const ObstacleTerm::Shape& obstacle, const Vec3& x, const Vec3& n, double depth) {
+Patch moved(Patch at, const Vec3& by) {
+  for (int i = 0; i < at.count; ++i) at.x[i] += by;
+  return at;
+}
+
+// The least t [m] for which the gap of at + t n is above 0, by doubling and halving, as any shape can say its distance.
+double way_out(const ObstacleTerm::Shape& obstacle, const Patch& at, const Vec3& n, double depth) {
   constexpr int halvings = 60;
-  Vec3 normal;
   double low = 0, high = depth;
-  while (!(distance(obstacle, x + high * n, normal) > 0) && high < 1e6 * depth) high *= 2;
+  while (!(gap(obstacle, moved(at, high * n)) > 0) && high < 1e6 * depth) high *= 2;
   for (int k = 0; k < halvings; ++k) {
     const double middle = (low + high) / 2;
-    (distance(obstacle, x + middle * n, normal) > 0 ? high : low) = middle;
+    (gap(obstacle, moved(at, middle * n)) > 0 ? high : low) = middle;
   }
   return high;
 }
@@ -76,8 +72,8 @@ void part_from_obstacle(const ObstacleTerm& term, const std::string& key, const 
                         Model& model) {
   constexpr double billionth = 1e-9, last_digits = 1e-14;  // of the body's size, of coordinates far from the origin
   const ObstacleTerm::Shape obstacle = term.shape(model.x_start);
-  const std::vector<Vec3> points = surface_points(body, still_nodes(model), model);
-  const Deepest deepest = find_deepest(obstacle, points);
+  const std::vector<Patch> patches = patches_of(term, body, model);
+  const Deepest deepest = find_deepest(obstacle, patches);
   if (deepest.distance > 0) return;
   if (deepest.distance >= -std::max(billionth * body.size, last_digits * deepest.largest)) {
     for (int node = body.first_node; node < body.first_node + body.node_count; ++node)
@@ -85,10 +81,8 @@ void part_from_obstacle(const ObstacleTerm& term, const std::string& key, const 
     return;
   }
   double way = 0;
-  for (const Vec3& x : points) {
-    Vec3 normal;
-    if (distance(obstacle, x, normal) <= 0) way = std::max(way, way_out(obstacle, x, deepest.out, -deepest.distance));
-  }
+  for (const Patch& at : patches)
+    if (sim::gap(obstacle, at) <= 0) way = std::max(way, way_out(obstacle, at, deepest.out, -deepest.distance));
   std::ostringstream message;
   message << "\"" << body.name << "\" starts " << -deepest.distance << " m inside this obstacle: translate it by (";
   for (int i = 0; i < model.D; ++i) message << (i == 0 ? "" : ", ") << way * deepest.out[i];

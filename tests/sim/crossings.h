@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "sim/mesh/boundary.h"
@@ -16,11 +17,12 @@ struct SurfaceFacet {
   int nodes[3];  // of the system; the third is -1 in the plane
 };
 
-inline std::vector<SurfaceFacet> facets_of(const Scene& scene) {
+// Obstacles that are released before t [s] are left out.
+inline std::vector<SurfaceFacet> facets_of(const Scene& scene, double t = 0) {
   std::vector<SurfaceFacet> all;
   int first = 0, number = 0;
-  const auto add = [&](const Eigen::MatrixXi& own, Eigen::Index nodes) {
-    for (Eigen::Index f = 0; f < own.cols(); ++f) {
+  const auto add = [&](const Eigen::MatrixXi& own, Eigen::Index nodes, bool is_gone = false) {
+    for (Eigen::Index f = 0; f < own.cols() && !is_gone; ++f) {
       SurfaceFacet facet{number, {-1, -1, -1}};
       for (int i = 0; i < scene.dimension; ++i) facet.nodes[i] = first + own(i, f);
       all.push_back(facet);
@@ -33,7 +35,7 @@ inline std::vector<SurfaceFacet> facets_of(const Scene& scene) {
   // Of what moves, a plane has two nodes and a sphere one.
   for (const Obstacle& obstacle : scene.obstacles)
     if (const auto* surface = std::get_if<RigidSurface>(&obstacle.shape))
-      add(surface->faces, surface->X.cols());
+      add(surface->faces, surface->X.cols(), obstacle.release && t > *obstacle.release);
     else if (!obstacle.motion.empty())
       first += std::holds_alternative<Plane>(obstacle.shape) ? 2 : 1;
   return all;
@@ -65,25 +67,86 @@ inline bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
   return s.minCoeff() > 0 && s.maxCoeff() < 1;
 }
 
-// How many edges of a surface go through a facet, of other bodies or of their own; `own`: those as well.
-inline int count_crossings(const Scene& scene, const Eigen::VectorXd& x, bool own = true) {
-  const int D = scene.dimension;
-  const std::vector<SurfaceFacet> facets = facets_of(scene);
-  const auto at = [&](int node) { return place_of(x, node, D); };
+// How many edges of one facet go through the other.
+inline int passing(const SurfaceFacet& of, const SurfaceFacet& through, const Eigen::VectorXd& x, int D) {
+  const auto at = [&](const SurfaceFacet& facet, int i) { return place_of(x, facet.nodes[i % D], D); };
+  const int* n = through.nodes;
   int count = 0;
-  for (const SurfaceFacet& of : facets)
-    for (int i = 0; i < (D == 2 ? 1 : 3); ++i) {
-      const int from = of.nodes[i], to = of.nodes[(i + 1) % D];
-      if (D == 3 && from > to) continue;  // the facet on its other side has it
-      for (const SurfaceFacet& facet : facets) {
-        if (!own && facet.body == of.body) continue;
-        const int *n = facet.nodes, shared = (n[0] == from) + (n[1] == from) + (n[2] == from) + (n[0] == to) +
-                                             (n[1] == to) + (n[2] == to);
-        if (shared > 0) continue;
-        count += D == 2 ? passes(at(from), at(to), at(n[0]), at(n[1]))
-                        : passes(at(from), at(to), at(n[0]), at(n[1]), at(n[2]));
+  for (int i = 0; i < (D == 2 ? 1 : 3); ++i) {
+    const int from = of.nodes[i], to = of.nodes[(i + 1) % D];
+    if (std::any_of(n, n + D, [&](int node) { return node == from || node == to; })) continue;
+    const Vec3 p = at(of, i), q = at(of, i + 1), a = at(through, 0), b = at(through, 1);
+    count += D == 2 ? passes(p, q, a, b) : passes(p, q, a, b, at(through, 2));
+  }
+  return count;
+}
+
+// How many edges of a surface go through a facet, of other bodies or of their own; `own`: those as well. Facets are
+// looked at from low to high x, so that only those that overlap in x are tried. What is released by t [s] is left out.
+inline int count_crossings(const Scene& scene, const Eigen::VectorXd& x, bool own = true, double t = 0) {
+  const int D = scene.dimension;
+  struct Boxed {
+    SurfaceFacet facet;
+    Vec3 low, high;
+  };
+  std::vector<Boxed> all;
+  for (const SurfaceFacet& facet : facets_of(scene, t)) {
+    Boxed boxed{facet, place_of(x, facet.nodes[0], D), place_of(x, facet.nodes[0], D)};
+    for (int i = 1; i < D; ++i) {
+      boxed.low = boxed.low.cwiseMin(place_of(x, facet.nodes[i], D));
+      boxed.high = boxed.high.cwiseMax(place_of(x, facet.nodes[i], D));
+    }
+    all.push_back(boxed);
+  }
+  std::sort(all.begin(), all.end(), [](const Boxed& a, const Boxed& b) { return a.low.x() < b.low.x(); });
+  int count = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size() && all[j].low.x() <= all[i].high.x(); ++j) {
+      const Boxed &a = all[i], &b = all[j];
+      if ((!own && a.facet.body == b.facet.body) || (a.low.array() > b.high.array()).any() ||
+          (b.low.array() > a.high.array()).any())
+        continue;
+      count += passing(a.facet, b.facet, x, D) + (D == 2 ? 0 : passing(b.facet, a.facet, x, D));
+    }
+  return count;
+}
+
+// Whether a ball reaches into an edge or a triangle: by the quadratics of its edges, and by the foot on its plane.
+inline bool reaches(const Vec3& centre, double radius, const Vec3& a, const Vec3& b) {
+  const Vec3 u = b - a, w = a - centre;
+  const double B = 2 * u.dot(w), C = w.squaredNorm() - radius * radius, A = u.squaredNorm();
+  const double foot = -B / (2 * A);
+  return C < 0 || A + B + C < 0 || (foot > 0 && foot < 1 && B * B > 4 * A * C);
+}
+inline bool reaches(const Vec3& centre, double radius, const Vec3& a, const Vec3& b, const Vec3& c) {
+  if (reaches(centre, radius, a, b) || reaches(centre, radius, b, c) || reaches(centre, radius, c, a)) return true;
+  const Vec3 n = (b - a).cross(c - a), foot = centre - n.dot(centre - a) / n.squaredNorm() * n;
+  const bool inside =
+      n.dot((b - a).cross(foot - a)) > 0 && n.dot((c - b).cross(foot - b)) > 0 && n.dot((a - c).cross(foot - c)) > 0;
+  return inside && (foot - centre).norm() < radius;
+}
+
+// How many facets of bodies reach into an obstacle that is a sphere.
+inline int count_entered(const Scene& scene, const Eigen::VectorXd& x) {
+  const int D = scene.dimension;
+  int node = 0, count = 0;
+  for (const Body& body : scene.bodies) node += static_cast<int>(body.mesh.node_count());
+  for (const Obstacle& obstacle : scene.obstacles) {
+    if (const auto* sphere = std::get_if<Sphere>(&obstacle.shape)) {
+      const Vec3 centre = obstacle.motion.empty() ? sphere->centre : place_of(x, node, D);
+      for (const SurfaceFacet& facet : facets_of(scene)) {
+        if (facet.body >= static_cast<int>(scene.bodies.size())) continue;
+        const int* n = facet.nodes;
+        const Vec3 a = place_of(x, n[0], D), b = place_of(x, n[1], D);
+        count += D == 2 ? reaches(centre, sphere->radius, a, b)
+                        : reaches(centre, sphere->radius, a, b, place_of(x, n[2], D));
       }
     }
+    if (const auto* surface = std::get_if<RigidSurface>(&obstacle.shape))
+      node += static_cast<int>(surface->X.cols());
+    else if (!obstacle.motion.empty())
+      node += std::holds_alternative<Plane>(obstacle.shape) ? 2 : 1;
+  }
   return count;
 }
 

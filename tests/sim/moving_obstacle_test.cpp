@@ -253,9 +253,8 @@ TEST(MovingObstacle, StepEndsWhereATurningPlaneIsMet) {
     const Eigen::VectorXd x = model.X + share * dx;
     const auto plane = shape_at(std::get<Plane>(obstacle.shape), model.obstacle_nodes[0], x, 3);
     double least = 1e30;
-    Vec3 n;
     for (int node = 0; node < model.body_nodes; ++node)
-      least = std::min(least, distance(plane, x.segment<3>(3 * node), n));
+      least = std::min(least, sim::gap(plane, Patch{1, {x.segment<3>(3 * node)}}));
     return least;
   };
   EXPECT_GT(gap(0.999 * a), 0);
