@@ -43,8 +43,8 @@ struct StabilityCase {
 
 // Throws std::runtime_error where the meshes that come with the program are not found.
 std::vector<Subject> built_in_subjects(bool quick);
-// The bodies of a scene with their materials, its time step, scheme and solver; without gravity, loads, pins, obstacles
-// and contact, which no start that folds a body allows.
+// The bodies of a scene with their materials, its time step, scheme and solver; without gravity, loads, pins, bases,
+// obstacles and contact, which no start that folds a body allows.
 Subject subject_of(const sim::Scene& scene);
 
 // Steps of an implicit scheme become a minute where they were a second: what creeps is followed until it is at rest.

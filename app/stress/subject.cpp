@@ -77,6 +77,7 @@ Subject subject_of(const sim::Scene& scene) {
     body.velocity.setZero();
     body.spin = {};
     body.start = {};
+    body.basis.reset();  // it was made for what the pins hold
   }
   return s;
 }

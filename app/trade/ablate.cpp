@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include "app/base/exit_code.h"
 #include "app/base/number_text.h"
@@ -99,7 +100,8 @@ void show_removals(const std::vector<Removal>& removals, const CaseRun& whole, c
           {"without " + removal.run->which.label,
            percent(removal.change.rms) + formatted(" (%.2g px), ", removal.change.pixels) + seconds(*removal.run),
            removal.run});
-  draw_side_by_side(comparison, shown, options, trade_folder(options) / "show", interrupt);
+  draw_side_by_side(comparison, shown, options, trade_folder(options) / "show", std::numeric_limits<int>::max(),
+                    interrupt);
 }
 
 }  // namespace

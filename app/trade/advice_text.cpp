@@ -1,5 +1,7 @@
 #include "app/trade/advice_text.h"
 
+#include <algorithm>
+
 #include "app/base/json.h"
 #include "app/base/text.h"
 #include "app/base/version.h"
@@ -89,7 +91,11 @@ std::string advice_text(const Measurement& m, const Advice& advice, const std::f
   std::string text;
   if (!meets(chosen, m.goal))
     text += "note: nothing that was measured is within " + m.goal.text + "; this comes nearest\n";
-  if (m.comparison.shortened())
+  const sim::ReferenceCheck& check = m.scorer.references().check;
+  if (check.diverges)
+    text += "note: this holds for the first " + seconds_text(std::min(check.horizon, m.comparison.seconds())) +
+            ": from then on the motion is chaotic, and no run tells where the bodies are\n";
+  else if (m.comparison.shortened())
     text += "note: this holds for the first " + seconds_text(m.comparison.seconds()) +
             ", not for the whole scene: errors grow with time\n";
   if (!chosen.total) text += "note: the error is that of time alone: no mesh error is known\n";

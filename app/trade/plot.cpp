@@ -61,10 +61,10 @@ std::string axes(const Chart& chart) {
   text += tics("x", chart.seconds) + tics("y", chart.error) + "set grid lc rgb '#cccccc' lw 1 dt 1\n";
   if (chart.pixels > 0) {
     const AxisRange pixels{chart.pixels * chart.error.low, chart.pixels * chart.error.high};
-    text += "set logscale y2\n" + tics("y2", pixels) + "set y2label 'pixels at 1080p' offset -1.2,0\n" +
+    text += "set logscale y2\n" + tics("y2", pixels) + "set y2label 'pixels at 1080p' offset -2.2,0\n" +
             range("y2", pixels);
   }
-  return text + "set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.6 spacing 1.1 " +
+  return text + "set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.2 spacing 1.1 " +
          font(small_letters) + "\n";
 }
 

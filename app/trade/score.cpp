@@ -18,8 +18,11 @@ bool changes(const TradeCase& which, std::string_view key_end) {
 bool changes_model(const TradeCase& which) {
   return changes(which, "material.model");
 }
+// But for what they move in: all bases are measured against the reference, which has all nodes.
 bool changes_bodies(const TradeCase& which) {
-  return changes(which, "");
+  return std::ranges::any_of(which.settings, [](const auto& setting) {
+    return setting.first.starts_with("body.") && setting.first.find(".basis.") == std::string::npos;
+  });
 }
 
 // Whether scheme and step are those of the mesh study, and nothing but meshes and masses differs.

@@ -138,12 +138,12 @@ std::vector<Eigen::VectorXd> pixels_apart(const Comparison& comparison, const Ca
   return apart;
 }
 
-int frame_apart_most(const Comparison& comparison, const std::vector<Shown>& shown) {
+int frame_apart_most(const Comparison& comparison, const std::vector<Shown>& shown, int frames) {
   double most = -1;
   int frame = 0;
   for (const Shown& one : shown) {
     const std::vector<Eigen::VectorXd> apart = pixels_apart(comparison, *one.run, *shown.front().run);
-    for (std::size_t k = 0; k < apart.size(); ++k)
+    for (std::size_t k = 0; k < apart.size() && k < static_cast<std::size_t>(frames); ++k)
       if (apart[k].maxCoeff() > most) {
         most = apart[k].maxCoeff();
         frame = static_cast<int>(k);
@@ -153,7 +153,7 @@ int frame_apart_most(const Comparison& comparison, const std::vector<Shown>& sho
 }
 
 void draw_side_by_side(const Comparison& comparison, const std::vector<Shown>& shown, const Options& options,
-                       const std::filesystem::path& folder, const Interrupt& interrupt) {
+                       const std::filesystem::path& folder, int frames, const Interrupt& interrupt) {
   const int width = std::max(2, options.width / 4 * 2), height = std::max(2, options.height / 4 * 2);
   std::deque<Column> columns;  // they stay where they are
   for (const Shown& one : shown) columns.emplace_back(comparison, one, *shown.front().run, width, height);
@@ -170,7 +170,7 @@ void draw_side_by_side(const Comparison& comparison, const std::vector<Shown>& s
                   options.overwrite);
   else
     make_folder(folder);
-  const int apart_most = frame_apart_most(comparison, shown);
+  const int apart_most = frame_apart_most(comparison, shown, frames);
   for (int k = options.still ? apart_most : 0; k < (options.still ? apart_most + 1 : common_frames(shown)); ++k) {
     if (interrupt.requested()) throw Interrupted{};
     const std::int64_t frame = (k + 1) * comparison.stretch.stride;

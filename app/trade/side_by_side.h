@@ -24,13 +24,13 @@ std::vector<Shown> choose_shown(Measurement& measurement, const Advice& advice, 
 // Pixels at 1080p from the first run, of every node in every compared frame: one vector a frame.
 std::vector<Eigen::VectorXd> pixels_apart(const Comparison& comparison, const CaseRun& run, const CaseRun& reference);
 
-// The compared frame (0: the first) in which a node of any run is farthest from the first run.
-int frame_apart_most(const Comparison& comparison, const std::vector<Shown>& shown);
+// Of so many compared frames (0: the first) the one in which a node of any run is farthest from the first run.
+int frame_apart_most(const Comparison& comparison, const std::vector<Shown>& shown, int frames);
 
 // Draws frames into `folder`, the first run at the left, all with its camera; with options.still the one frame in which
-// they differ most; with options.video a video. Each picture is half as wide and high as options.width and height say.
-// Throws WriteError, Interrupted, std::runtime_error.
+// they differ most, of those in which errors are counted, `frames` of them; with options.video a video. Each picture is
+// half as wide and high as options.width and height say. Throws WriteError, Interrupted, std::runtime_error.
 void draw_side_by_side(const Comparison& comparison, const std::vector<Shown>& shown, const Options& options,
-                       const std::filesystem::path& folder, const Interrupt& interrupt);
+                       const std::filesystem::path& folder, int frames, const Interrupt& interrupt);
 
 }  // namespace app

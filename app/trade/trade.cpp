@@ -122,7 +122,7 @@ void draw(const std::vector<Diagram>& diagrams, const std::filesystem::path& bas
 void Trade::show(const Advice& advice, const Interrupt& interrupt) {
   const std::vector<Shown> shown = choose_shown(measurement_, advice, options_.trade.show_names);
   const std::filesystem::path folder = folder_ / "show";
-  draw_side_by_side(comparison_, shown, options_, folder, interrupt);
+  draw_side_by_side(comparison_, shown, options_, folder, scorer_.references().check.frames, interrupt);
   const bool video = !options_.video.empty() && !options_.still;
   if (!options_.quiet) std::cerr << "side by side: " << (video ? options_.video : folder).string() << '\n';
 }

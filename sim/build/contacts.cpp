@@ -46,9 +46,15 @@ double softest(const Body& body) {
   return young;
 }
 
-Couple couple_of(const Model& model, const Contact& contact, int a, int b) {
+Couple couple_of(const Model& model, const Contact& contact, int a, int b, const std::string& key) {
   Couple couple{a, b, 0, 0};
-  couple.dh = contact.distance.value_or(thousandth * std::min(model.ranges[a].size, model.ranges[b].size));
+  const double size = std::min(model.ranges[a].size, model.ranges[b].size);
+  if (contact.distance && *contact.distance > size)
+    throw InputError(key + ".distance", "must be small beside the bodies, and is more than the size of \"" +
+                                            model.ranges[model.ranges[a].size == size ? a : b].name + "\", " +
+                                            std::to_string(size) +
+                                            " m: take a small part of that; none is a thousandth");
+  couple.dh = contact.distance.value_or(thousandth * size);
   couple.kappa = contact.stiffness.value_or(tenth * std::min(softest(model.bodies[a]), softest(model.bodies[b])));
   couple.xi = contact.offset.value_or(0);
   return couple;
@@ -78,7 +84,7 @@ ContactTerm::Input input_of(const Model& model, const Contact& contact, const st
       part[body] = static_cast<int>(input.skin.parts.size());
       add_body_part(input, model, body);
     }
-    Couple couple = couple_of(model, contact, a, b);
+    Couple couple = couple_of(model, contact, a, b, key);
     couple.a = part[a];
     couple.b = part[b];
     input.couples.push_back(couple);

@@ -48,7 +48,8 @@ TEST_F(TradeShow, TheDistanceIsThatOnTheScreen) {
   ASSERT_EQ(apart.size(), 3U);
   EXPECT_EQ(apart[0].maxCoeff(), 0);
   EXPECT_NEAR(apart[1].minCoeff(), 0.02 * per_metre, 1e-3 * per_metre * 0.02 + 1e-3);
-  EXPECT_EQ(frame_apart_most(comparison, {{"", "", &reference}, {"", "", &run}}), 1);
+  EXPECT_EQ(frame_apart_most(comparison, {{"", "", &reference}, {"", "", &run}}, 9), 1);
+  EXPECT_EQ(frame_apart_most(comparison, {{"", "", &reference}, {"", "", &run}}, 1), 0);
 }
 
 TEST_F(TradeShow, DrawsTheFrameInWhichTheyDifferMost) {
