@@ -20,6 +20,12 @@ bool slides(const Range& range) {
          !(range.low_open && range.low == 0);
 }
 
+// Counts of some things, of which one more matters where there are few.
+bool counts(const Range& range) {
+  constexpr double most = 1000;
+  return range.low >= 1 && range.high <= most;
+}
+
 void draw_number(const Range& range, double& x) {
   if (slides(range)) {
     const double margin = 1e-3 * (range.high - range.low);
@@ -36,6 +42,9 @@ void draw_integer(const Key& key, std::int64_t& n) {
   if (key.kind == Kind::substeps && n == 0) {
     // "auto" until it is given a number.
     ImGui::DragScalar("##value", ImGuiDataType_S64, &n, 0.05F, nullptr, nullptr, "auto");
+  } else if (counts(key.range)) {
+    const auto low = static_cast<std::int64_t>(key.range.low), high = static_cast<std::int64_t>(key.range.high);
+    ImGui::SliderScalar("##value", ImGuiDataType_S64, &n, &low, &high, nullptr, ImGuiSliderFlags_Logarithmic);
   } else {
     ImGui::DragScalar("##value", ImGuiDataType_S64, &n, 0.05F);
   }

@@ -5,6 +5,7 @@
 #include "app/exhibit/exhibit.h"
 #include "app/picture/colour_values.h"
 #include "app/picture/energies.h"
+#include "sim/study/basis.h"
 
 namespace app {
 namespace {
@@ -20,11 +21,22 @@ FrameHistory::FrameHistory(const Simulation& simulation, std::vector<Energies> b
 }
 
 void FrameHistory::follow(const Simulation& simulation, Exhibits made) {
+  follow_full_body(simulation);
   system_ = simulation.system.get();
   coloured_ = free_range(simulation.document.look);
   shows_energies_ = simulation.document.look.energies;
   if (!shows_energies_) energies_.clear();
   follow_exhibits(simulation, std::move(made));
+}
+
+void FrameHistory::follow_full_body(const Simulation& simulation) {
+  const Document& document = simulation.document;
+  if (!document.look.ghost || !sim::has_basis(document.scene))
+    full_.reset();
+  else if (!full_)
+    full_.emplace(simulation);
+  else if (system_ != simulation.system.get())
+    full_->follow(simulation);
 }
 
 // Anew where the system is another, or what they are to show; a curve of the same numbers goes on.
@@ -74,6 +86,7 @@ void FrameHistory::add(const sim::State& state, LargestShown& largest) {
     reach = std::max(reach, reach_of(*coloured_, system_->node_values(state, *coloured_)));
   }
   for (const auto& exhibit : exhibits_.all) exhibit->note(state);
+  if (full_) full_->reach(state.step / system_->steps_per_frame(), state);
   if (!shows_energies_) return;
   const Energies now = energies_of(*system_, state);
   std::erase_if(energies_, [&](const Energies& other) { return other.t >= now.t; });
@@ -83,6 +96,7 @@ void FrameHistory::add(const sim::State& state, LargestShown& largest) {
 void FrameHistory::fill(const LargestShown& largest, Moment& moment) const {
   if (coloured_) moment.largest = largest[static_cast<std::size_t>(*coloured_)];
   moment.energies = energies_;
+  if (full_) moment.full = full_->x();
   if (exhibits_.all.empty()) return;
   moment.sheet.emplace();
   for (const auto& exhibit : exhibits_.all) exhibit->show(moment.state, *moment.sheet);

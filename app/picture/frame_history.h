@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/exhibit/exhibit.h"
+#include "app/picture/full_body.h"
 #include "app/picture/moment.h"
 #include "app/scene/simulation.h"
 
@@ -44,12 +45,14 @@ class FrameHistory {
 
  private:
   void follow_exhibits(const Simulation& simulation, Exhibits made);
+  void follow_full_body(const Simulation& simulation);
 
   const sim::System* system_ = nullptr;
   std::optional<sim::Quantity> coloured_;  // whose range comes from the values
   bool shows_energies_ = false;
   Exhibits exhibits_;
   std::vector<Energies> energies_;
+  std::optional<FullBody> full_;  // whose ghosts are seen
 };
 
 }  // namespace app

@@ -26,6 +26,7 @@ struct Moment {
   sim::State state = {};
   double min_J = 1;                         // smallest det F after that step
   double largest = 0;                       // value that a frame so far has shown in colour (colour_values.h)
+  Eigen::VectorXd full = {};                // m: nodes of bodies in a basis as they are without one; empty: not shown
   std::vector<Energies> energies = {};      // of the frames so far; empty where no picture shows them
   sim::StepReport report = {};              // of that step
   std::optional<render::Sheet> sheet = {};  // what the exhibits show; none where there is none

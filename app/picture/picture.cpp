@@ -123,9 +123,13 @@ render::Frame Picture::frame(const Moment& moment) const {
   const int dimension = system_.dimension();
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const sim::BodyRange& body = system_.bodies()[i];
-    const Eigen::Map<const Eigen::MatrixXd> x(moment.state.x.data() + std::ptrdiff_t{dimension} * body.first_node,
-                                              dimension, body.node_count);
-    frame.surfaces[i].positions = surfaces_[i].points(x, stand_.origin);
+    const auto points = [&](const Eigen::VectorXd& nodes) {
+      const Eigen::Map<const Eigen::MatrixXd> x(nodes.data() + std::ptrdiff_t{dimension} * body.first_node, dimension,
+                                                body.node_count);
+      return surfaces_[i].points(x, stand_.origin);
+    };
+    frame.surfaces[i].positions = points(moment.state.x);
+    if (look.ghost && moment.full.size() > 0) frame.ghosts[i].positions = points(moment.full);
   }
   place_obstacles(moment.state, frame);
   frame.camera = camera_path_.at(moment.state);

@@ -53,6 +53,7 @@ std::optional<std::int64_t> same_time(std::int64_t n, const sim::System& from, c
 void forget_solver(sim::State& state) {
   state.force.resize(0);
   state.kept = {};
+  if (state.coordinates.c.size() > 0) state.fastest.resize(0);  // it has as many numbers
   state.coordinates = {};
 }
 

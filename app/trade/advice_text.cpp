@@ -68,7 +68,8 @@ std::string bounded_text(const Score& score) {
 namespace {
 
 // What has to be made before the first step of a body that moves in a basis, and from what.
-std::string training_text(const Measurement& m, const CaseRun& run) {
+std::string training_text(const Measurement& m, const Score& score) {
+  const CaseRun& run = *score.run;
   if (!(run.training > 0)) return {};
   const Options options = options_of(m.comparison.options, run.which);
   const Document scene = load_scene(options.scene, options.settings, options.overrides);
@@ -80,7 +81,8 @@ std::string training_text(const Measurement& m, const CaseRun& run) {
                   (basis.snapshots ? "the states of " + scene.basis_folders[b].string()
                                    : "what \"" + scene.scene.bodies[b].name + "\" does in it, swinging under loads");
   }
-  return "  the basis takes " + seconds_text(run.training) + " to make, once" + trained_on + "\n";
+  return "  the basis takes " + seconds_text(run.training) + " to make, once: the first simulated second costs " +
+         seconds_text(run.training + score.seconds) + trained_on + "\n";
 }
 
 }  // namespace
@@ -107,7 +109,7 @@ std::string advice_text(const Measurement& m, const Advice& advice, const std::f
           " per simulated second; found " + bounded_text(advice.found) + ", " + seconds_text(advice.found.seconds) +
           " (on this machine now: wall " + seconds_text(advice.fresh->work.least()) + ", CPU " +
           seconds_text(advice.fresh->work.cpu) + ")\n";
-  text += training_text(m, *chosen.run);
+  text += training_text(m, chosen);
   text += "  ritz record " + m.comparison.options.scene.string() + " --settings " + settings.string();
   for (const auto& [key, value] : chosen.run->which.settings)
     if (key == thread_option) text += " " + key + " " + value;

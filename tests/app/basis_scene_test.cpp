@@ -1,11 +1,13 @@
 // Bases as scene files have them: keys, the run that they come from, what is refused, what a state keeps.
 #include "app/mesh/vtu.h"
+#include "app/picture/frame_history.h"
 #include "app/run/state_file.h"
 #include "app/run/vtu.h"
 #include "app/scene/scene_identity.h"
 #include "app/scene/scene_text.h"
 #include "app/scene/simulation.h"
 #include "app/scene/snapshots.h"
+#include "app/session/session.h"
 #include "sim/stepper.h"
 #include "tests/app/scene_fixture.h"
 
@@ -106,6 +108,59 @@ TEST_F(BasisScenes, StatesKeepTheirCoordinatesInFiles) {
   EXPECT_EQ(sim::hash(again.state), sim::hash(saved.state));
   saved.state.coordinates.rate.resize(4);
   EXPECT_THROW(decode(encode(saved), "state.bin"), std::runtime_error);
+}
+
+// More vectors, fewer, or all nodes, while the body moves: it goes on from where it is, as near as the vectors allow.
+TEST_F(BasisScenes, CountAndKindChangeWhileTheBodyMoves) {
+  for (const char* integrator : {"trapezoidal", "central-difference"}) {
+    Options options;
+    options.scene = file("scene.toml", beam("kind = \"derivatives\", count = 5"));
+    options.overrides = {set("time.integrator", integrator)};
+    Session session(options);
+    const auto go_on = [&](const char* key, const char* value) {
+      const Eigen::VectorXd before = session.state().x;
+      session.apply(SetKey{key, value});
+      // Where steps become longer or shorter it waits for the next frame.
+      do EXPECT_EQ(session.step().failure, "");
+      while (session.state().step % session.simulation()->system->steps_per_frame() != 0);
+      EXPECT_EQ(session.step().failure, "");
+      EXPECT_LT((session.state().x - before).cwiseAbs().maxCoeff(), 0.2) << value;
+      return session.state().coordinates.c.size();
+    };
+    for (int k = 0; k < 10; ++k) session.step();
+    EXPECT_EQ(session.state().coordinates.c.size(), 5);
+    EXPECT_EQ(go_on("body.0.basis.count", "9"), 9);
+    EXPECT_EQ(go_on("body.0.basis.count", "3"), 3);
+    EXPECT_EQ(go_on("body.0.basis.kind", "\"none\""), 0);
+    EXPECT_EQ(go_on("body.0.basis.kind", "\"modes\""), 3);
+    EXPECT_TRUE(session.waiting().empty());
+  }
+}
+
+// The ghost is stepped in all nodes, to the bit as the scene without a basis; one that goes back starts there anew.
+TEST_F(BasisScenes, GhostsAreTheBodiesInAllOfTheirNodes) {
+  const std::vector<Override> ghost = {set("look.ghost", "true")};
+  const Simulation reduced = simulation(beam("kind = \"modes\", count = 4"), ghost), full = simulation(beam(""), ghost);
+  FrameHistory history(reduced), of_full(full);
+  const auto a = sim::make_stepper(*reduced.system, 1), b = sim::make_stepper(*full.system, 1);
+  sim::State x = reduced.system->initial_state(), y = full.system->initial_state(), early;
+  LargestShown largest{};
+  const auto seen = [&](const FrameHistory& frames) {
+    Moment moment{.frame = x.step, .state = x};
+    frames.fill(largest, moment);
+    return moment.full;
+  };
+  for (int k = 0; k <= 20; ++k) {
+    if (k > 0) a->step(x), b->step(y);
+    if (k == 7) early = x;
+    history.add(x, largest);
+    of_full.add(y, largest);
+    EXPECT_EQ(seen(history), y.x) << k;
+  }
+  EXPECT_GT((x.x - y.x).cwiseAbs().maxCoeff(), 0.05) << "modes are too stiff";
+  EXPECT_EQ(seen(of_full).size(), 0) << "nothing is stepped beside what has no basis";
+  history.add(early, largest);
+  EXPECT_EQ(seen(history), early.x);
 }
 
 // Pulling at a body builds its system anew, and not its basis.

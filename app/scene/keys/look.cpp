@@ -56,7 +56,10 @@ std::vector<Key> mark_keys() {
   return {
       {"look.wireframe", Kind::boolean, field<look_of, &Look::wireframe>,
        "Draw the edges of the elements, or of the skin that a body wears."},
-      {"look.ghost", Kind::boolean, field<look_of, &Look::ghost>, "Draw the rest shape, translucent."},
+      {"look.ghost", Kind::boolean, field<look_of, &Look::ghost>,
+       "Draw the rest shape, translucent; of bodies that move in a basis, these bodies in all of their nodes, which "
+       "are "
+       "stepped as well."},
       {"look.pins", Kind::boolean, field<look_of, &Look::pins>, "Draw a dot at every pinned node of the surface."},
       {"look.forces", Kind::boolean, field<look_of, &Look::forces>,
        "Draw forces as arrows: blue for tractions, springs and obstacles, red for what holds pinned nodes. Forces of "
