@@ -82,19 +82,21 @@ PairMatrix approach_tangent(const Sphere& sphere, const Patch& at, double first,
 
 // The a at which d = 0, as the plane moves and turns:
 //   (m + a dm).(r + a dr) = 0,  m the normal, r from the plane's point to x
-double way_to(const Plane& plane, const Plane& by, const Patch& at, const Patch& move) {
+double way_to(const Plane& plane, const Plane& by, const Patch& at, const Patch& move, double /*dh*/) {
   const Vec3 r = at.x[0] - plane.point, dr = move.x[0] - by.point;
   return first_root(plane.normal.dot(r), plane.normal.dot(dr) + by.normal.dot(r), by.normal.dot(dr));
 }
 
 // What cannot move as far as the gap is free.
-double way_to(const Sphere& sphere, const Sphere& by, const Patch& at, const Patch& move) {
+double way_to(const Sphere& sphere, const Sphere& by, const Patch& at, const Patch& move, double dh) {
+  constexpr double kept = 0.2;
   const WithCentre x(sphere, at), p(by, move);
-  const double distance = nearest(kind_of(at), x.x).d;
+  const double d = gap(sphere, at);
   double farthest = 0;
   for (int i = 1; i <= at.count; ++i) farthest = std::max(farthest, (p.x[i] - p.x[0]).norm());
-  if (farthest < distance - sphere.radius) return none;
-  const double limit = step_limit(kind_of(at), x.x, p.x, sphere.radius, 1);
+  const double left = kept * std::min(d, dh);
+  if (farthest < d - left) return none;
+  const double limit = step_limit(kind_of(at), x.x, p.x, sphere.radius + left, 1);
   return limit < 1 ? limit : none;
 }
 

@@ -36,9 +36,10 @@ PairMatrix approach_tangent(const Plane& plane, const Patch& at, double first, d
 PairMatrix approach_tangent(const Sphere& sphere, const Patch& at, double first, double second, Definiteness fix);
 
 // A part of a move, infinity where nothing is in its way, on all of which d > 0: of a plane all that there is, of a
-// sphere a safe part of it. `by`: how the shape's own numbers change; d(at) > 0.
-double way_to(const Plane& plane, const Plane& by, const Patch& at, const Patch& move);
-double way_to(const Sphere& sphere, const Sphere& by, const Patch& at, const Patch& move);
+// sphere what leaves a fifth of the gap, or of the barrier's width dh where that is less, as between two bodies
+// (sim/term/contact.cpp). `by`: how the shape's own numbers change; d(at) > 0.
+double way_to(const Plane& plane, const Plane& by, const Patch& at, const Patch& move, double dh);
+double way_to(const Sphere& sphere, const Sphere& by, const Patch& at, const Patch& move, double dh);
 
 // How a move of the shape shifts its surface at the patch: d changes by N . (sum of shares times moves - shift).
 Vec3 shift_of(const Plane& plane, const Plane& by, const Patch& at);

@@ -156,19 +156,31 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
   constexpr int most_moves = 200;
   // Surfaces that touch must move together to a small part of their gap, which is a tiny part of the way.
   constexpr double tight = 1e-9;
-  constexpr double least_part = 100 * tight;  // of the way: what is left of a gap is smaller than the solve's error
+  // Of the way, so much is asked for at a time as was free the last time, or twice that: what is pressed gives way by
+  // as much as it must. Where all of the way was asked for and a hundredth of it was free, a hundredth of what opens
+  // the gaps was taken as well, and they closed from move to move.
+  constexpr double least_share = 0.02;  // what stops a body that moves by itself must not stop the way
+  // Body sizes. Where less is free some times in a row, there is no room: gaps would close until they are round-off.
+  constexpr double no_room = 1e-7;
+  constexpr int most_idle = 3;
+  double share = 1;
+  int idle = 0;
   for (int k = 0; has_way_to_go(stage, x); ++k) {
+    way_ *= share;
     is_moving_ = true;
     const bool found = direction(stage, motion, fix_, false, tight, report);
     is_moving_ = false;
-    ++report.newton;
-    dx_ += way_;
-    const double limit = found ? tangent_.largest_step(motion, dx_) : 0;
-    if (k == most_moves || limit < least_part) {
+    if (k == most_moves || idle == most_idle || !found) {
       report.failure = pressed_text(model_, motion, way_);
       return false;
     }
+    ++report.newton;
+    dx_ += way_;
+    const double limit = tangent_.largest_step(motion, dx_);
     double a = limit < 1 ? step_share * limit : 1;
+    const bool arrives = a == 1 && share == 1;
+    idle = !arrives && a * way_.lpNorm<Eigen::Infinity>() < no_room * model_.node_size.minCoeff() ? idle + 1 : 0;
+    share = std::clamp(a < 1 ? a * share : 2 * share, least_share, 1.0);
     x_from_ = x;
     v_from_ = v;
     move(stage, a, x, v);
@@ -177,7 +189,7 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
       move(stage, a, x, v);
       ++report.backtracks;
     }
-    if (a == 1)
+    if (arrives && a == 1)
       for (Eigen::Index i = 0; i < x.size(); ++i)
         if (tangent_.free()[i] == 0) x[i] = stage.target[i];
   }

@@ -265,7 +265,7 @@ double ObstacleTerm::largest_step(const Motion& motion, const Eigen::VectorXd& d
       [&](const auto& here) {
         const auto by = nodes_.count > 0 ? shape_at(here, nodes_, dx, D_) : still(here);
         for (const Contact& contact : contacts_)
-          largest = std::min(largest, way_to(here, by, patch(motion.x, contact), patch(dx, contact)));
+          largest = std::min(largest, way_to(here, by, patch(motion.x, contact), patch(dx, contact), dh_));
       },
       shape(motion.x));
   return largest;

@@ -204,7 +204,7 @@ TEST(MovingObstacle, ProductCountsItsOwnNodes) {
     Scene scene = one_box();
     Obstacle obstacle;
     if (sphere)
-      obstacle.shape = Sphere{{0.5, -0.4995, 0.5}, 0.509};
+      obstacle.shape = Sphere{{0.62, -0.4995, 0.81}, 0.509};  // below the inside of a face
     else
       obstacle.shape = Plane{{0.3, 0.0096, 0.1}, {0, 1, 0}};
     obstacle.motion = {Keyframe{}};

@@ -181,7 +181,7 @@ TEST(SphereObstacle, StepLimitIsSafeAndNotIdle) {
       }
       const double start = gap(ball, at);
       if (start < 1e-3) continue;
-      const double limit = std::min(1.0, way_to(ball, still, at, move));
+      const double limit = std::min(1.0, way_to(ball, still, at, move, 1e-3));
       double least = start;
       for (int k = 0; k <= 200; ++k) {
         Patch on_way = at;
