@@ -1,13 +1,9 @@
 #include "sim/reduce/reduction.h"
 
-#include <Eigen/Cholesky>
-
 namespace sim {
 
 Eigen::VectorXd Reduction::rate_of(const Eigen::VectorXd& v) const {
-  const Eigen::MatrixXd gram = (lift->U().transpose().lazyProduct(mass)).eval();
-  const Eigen::VectorXd b = mass.transpose() * v;
-  return gram.llt().solve(b);
+  return gram.solve(mass.transpose() * v);
 }
 
 Eigen::VectorXd Reduction::coordinates_of(const Eigen::VectorXd& x) const {

@@ -4,6 +4,7 @@
 // Schemes, Newton's method and its line search then work on c as they do on nodes.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Sample {
 struct Reduction {
   std::unique_ptr<Lift> lift;                // of all nodes
   Lift::Rows mass;                           // M U
+  Eigen::LLT<Eigen::MatrixXd> gram;          // U^T M U, which is 1 to round-off where masses are those of the basis
   std::optional<Sample> sample;              // with a cubature
   std::vector<std::unique_ptr<Lift>> lifts;  // of the few nodes that springs have, say
   std::vector<std::unique_ptr<Term>> terms;  // that the model's refer to

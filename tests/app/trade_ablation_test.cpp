@@ -2,8 +2,10 @@
 #include "app/base/exit_code.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_text.h"
+#include "app/trade/case_file.h"
 #include "app/trade/features.h"
 #include "app/trade/trade.h"
+#include "render/png.h"
 #include "tests/app/trade_scene.h"
 
 namespace app {
@@ -41,6 +43,34 @@ TEST_F(TradeTest, AblationNamesWhatTheSceneHas) {
   EXPECT_NE(line("obstacle 1").find("it can go"), std::string::npos) << table;  // never touched
   EXPECT_EQ(line("plate: tractions").find("it can go"), std::string::npos) << table;
   EXPECT_TRUE(std::filesystem::exists(with.out / "ablate.csv"));
+}
+
+// A scene in a basis beside the same in all of its nodes: nothing else is run, and the training is told with its run.
+TEST_F(TradeTest, AblationDrawsTheSceneBesideWhatItIsWithout) {
+  Options with = options((std::string(plate_scene) + "basis = { kind = \"modes\", count = 6 }\n").c_str());
+  with.trade.ablate = with.trade.show = with.still = true;
+  with.trade.show_names = {"basis"};
+  with.width = 320;
+  with.height = 180;
+  with.samples = 1;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(with), exit_done);
+  const std::string table = testing::internal::GetCapturedStdout();
+  EXPECT_NE(table.find("plate: basis (all nodes instead)"), std::string::npos) << table;
+  EXPECT_EQ(table.find("tractions"), std::string::npos) << table;
+  std::vector<std::filesystem::path> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(with.out / "show")) pictures.push_back(entry.path());
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(render::decode_png(read_all(pictures[0])).width, 2 * 160);
+  int trained = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(with.out / "cases")) {
+    const std::optional<CaseRun> run = decode_case(read_all(entry.path()));
+    if (run) trained += run->training > 0;
+  }
+  EXPECT_EQ(trained, 1) << "the scene, and not the one in all nodes";
+  with.trade.show_names = {"wings"};
+  EXPECT_NE(error_of([&] { trade(with); }).find("--show wings: no feature of the scene is called so: "),
+            std::string::npos);
 }
 
 }  // namespace
