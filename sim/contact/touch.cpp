@@ -152,7 +152,12 @@ bool add_touches(const Skin& skin, const std::vector<Couple>& couples, const Can
 }
 
 void gather(std::vector<Touch>& touches) {
-  const auto key = [](const Touch& t) { return std::tuple(t.couple, t.feature, t.e > 0, t.point, t.near, t.weight); };
+  // What nearly parallel edges carry stays together, pair by pair.
+  const auto key = [](const Touch& t) {
+    const bool parallel = t.e > 0;
+    return std::tuple(t.couple, parallel, parallel ? Feature::edge_edge : t.feature, t.point, t.feature, t.near,
+                      t.weight);
+  };
   std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
   // Weights that cancel are shares of one number: what round-off leaves of them is dropped.
   constexpr double round_off = 1e-9;

@@ -43,7 +43,8 @@ struct Touch {
 bool add_touches(const Skin& skin, const std::vector<Couple>& couples, const Candidate& candidate,
                  const Eigen::Matrix3Xd& x, std::vector<Touch>& touches);
 
-// Gathers equal ones, in the order of their points, and leaves out what adds to nothing.
+// Gathers equal ones, in the order of their points, and leaves out what adds to nothing. What two nearly parallel edges
+// carry stands together.
 void gather(std::vector<Touch>& touches);
 
 }  // namespace sim

@@ -56,10 +56,16 @@ PairMatrix TouchPotential::tangent(Definiteness fix) const {
   const MollifierTangent own(x, touch.e);
   const PairVector g = spread(touch, distance.gradient());
   const PairMatrix cross = b.first * own.gradient * g.transpose();
-  const PairMatrix H =
-      touch.weight * (b.b * own.hessian + cross + cross.transpose() +
-                      M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none)));
-  return fix == Definiteness::none ? H : without_negative_part(H);
+  return touch.weight * (b.b * own.hessian + cross + cross.transpose() +
+                         M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none)));
+}
+
+PairMatrix tangent_of(std::span<const Touch> touches, const std::vector<Couple>& couples, const Eigen::Matrix3Xd& x,
+                      Definiteness fix) {
+  PairMatrix K = PairMatrix::Zero();
+  for (const Touch& touch : touches) K += TouchPotential(touch, couples[touch.couple], x).tangent(fix);
+  // The mollifier's part is made definite with all that the pair has.
+  return touches[0].e == 0 || fix == Definiteness::none ? K : without_negative_part(K);
 }
 
 }  // namespace sim

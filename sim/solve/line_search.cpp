@@ -48,7 +48,8 @@ Newton::Move Newton::line_search(const StageProblem& stage, const Motion& motion
     potential_here = potential(stage, motion);
     const double fall = before - potential_here - noise;
     if (fall >= -armijo * a * slope - 2 * noise) {
-      const bool plane = !pure_ && a == 1 && fall > straight * -slope;
+      const bool plane =
+          !pure_ && a == 1 && fall > straight * -slope && largest_increment(stage) > model_.solver.tolerance;
       if (plane) a = lengthen(stage, motion, before, slope, potential_here, x, v);
       return {a, before - potential_here - noise, -slope};
     }

@@ -156,9 +156,15 @@ void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store
 #pragma omp parallel for schedule(static) num_threads(s.threads)
   for (std::size_t k = 0; k < s.touches.size(); ++k) {
     const Touch& touch = s.touches[k];
+    const auto same_pair = [&](std::size_t other) {
+      return touch.e > 0 && s.touches[other].e > 0 && s.touches[other].point == touch.point;
+    };
     s.blocks[k].point = touch.point;
-    s.blocks[k].count = points_in(touch);
-    s.blocks[k].K = TouchPotential(touch, in_.couples[touch.couple], s.x).tangent(fix);
+    s.blocks[k].count = k > 0 && same_pair(k - 1) ? 0 : points_in(touch);
+    if (s.blocks[k].count == 0) continue;  // in the block before it
+    std::size_t next = k + 1;
+    while (next < s.touches.size() && same_pair(next)) ++next;
+    s.blocks[k].K = tangent_of({s.touches.data() + k, next - k}, in_.couples, s.x, fix);
   }
   for (std::size_t k = 0; k < sticks; ++k) {
     const Stick& stick = s.sticks[k];
