@@ -39,9 +39,9 @@ set ytics nomirror ('0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10)
 set grid lc rgb '#cccccc' lw 1 dt 1
 set logscale y2
 set y2tics nomirror ('0.1' 0.1, '1' 1, '10' 10, '100' 100)
-set y2label 'pixels at 1080p' offset -1.2,0
+set y2label 'pixels at 1080p' offset -2.2,0
 set y2range [0.0920032:129.198]
-set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.6 spacing 1.1 font ',23'
+set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.2 spacing 1.1 font ',23'
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.02 fc rgb '#d8d8d8' fs solid noborder behind
 set arrow from first 1, graph 0 to first 1, graph 1 nohead lw 4 dt 1 lc rgb '#000000' back
 set arrow from graph 0, first 1 to graph 1, first 1 nohead lw 4 dt 1 lc rgb '#0000c8' back
@@ -93,9 +93,9 @@ set ytics nomirror ('0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10)
 set grid lc rgb '#cccccc' lw 1 dt 1
 set logscale y2
 set y2tics nomirror ('0.1' 0.1, '1' 1, '10' 10, '100' 100)
-set y2label 'pixels at 1080p' offset -1.2,0
+set y2label 'pixels at 1080p' offset -2.2,0
 set y2range [0.0920032:129.198]
-set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.6 spacing 1.1 font ',23'
+set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.2 spacing 1.1 font ',23'
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0.02 fc rgb '#d8d8d8' fs solid noborder behind
 set arrow from first 1, graph 0 to first 1, graph 1 nohead lw 4 dt 1 lc rgb '#000000' back
 set arrow from graph 0, first 1 to graph 1, first 1 nohead lw 4 dt 1 lc rgb '#0000c8' back
