@@ -15,6 +15,7 @@ namespace app {
 namespace {
 
 constexpr render::Colour applied_colour{0.08F, 0.32F, 0.66F};
+constexpr render::Colour contact_colour{0.50F, 0.16F, 0.62F};
 constexpr render::Colour held_colour{0.80F, 0.22F, 0.10F};
 constexpr render::Colour velocity_colour{0.06F, 0.46F, 0.36F};
 constexpr double places_along = 7;  // along the longest side of the scene
@@ -85,14 +86,14 @@ double total_force(const sim::System& system, const Document& document) {
 
 Arrows::Arrows(const sim::System& system, const Document& document, const Vec3& origin)
     : system_(system), look_(document.look), origin_(origin) {
-  if (!look_.forces && !look_.velocities) return;
+  if (!look_.forces && !look_.contact_forces && !look_.velocities) return;
   const double size = rest_box(system.bodies()).sizes().maxCoeff();
   for (const sim::BodyRange& body : system.bodies()) {
     places_.push_back(places_of(body, all_nodes(*body.mesh), size / places_along));
     on_surface_.push_back(places_of(body, surface_nodes(*body.mesh), size / places_along));
   }
   velocity_scale_ = look_.velocity_scale.value_or(0.3 * std::sqrt(size / standard_gravity));
-  if (!look_.forces) return;
+  if (!look_.forces && !look_.contact_forces) return;
   const double total = look_.force_scale ? 1 : total_force(system, document);
   force_scale_ = look_.force_scale.value_or(total > 0 ? 0.5 * size / total : 0);
 }
@@ -105,10 +106,13 @@ Vec3 Arrows::at(const Eigen::VectorXd& x, int node) const {
 }
 
 void Arrows::add(const sim::State& state, std::vector<render::Arrow>& arrows) const {
-  if (look_.forces) {
+  if (look_.forces || look_.contact_forces) {
     const sim::Loads loads = sim::loads(system_, state);
-    add_forces(state, loads.applied, applied_colour, arrows);
-    add_forces(state, loads.held, held_colour, arrows);
+    add_forces(state, loads.contact, contact_colour, arrows);
+    if (look_.forces) {
+      add_forces(state, loads.applied, applied_colour, arrows);
+      add_forces(state, loads.held, held_colour, arrows);
+    }
   }
   if (look_.velocities) add_velocities(state, arrows);
 }

@@ -53,7 +53,8 @@ struct Look {
   bool ghost = false;                          // the rest shape, translucent
   bool pins = false;                           // a dot at each pinned node of the surface
   bool obstacles = true;                       // obstacles are drawn
-  bool forces = false;                         // arrows: loads and what holds the pinned nodes
+  bool forces = false;                         // arrows: loads, contact and what holds the pinned nodes
+  bool contact_forces = false;                 // arrows: contact alone
   std::optional<double> force_scale;           // m/N, length of an arrow; none: from the weight and the loads
   bool velocities = false;                     // arrows
   std::optional<double> velocity_scale;        // s, the way that an arrow covers; none: from the size of the scene

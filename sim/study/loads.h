@@ -9,7 +9,8 @@ namespace sim {
 
 // N, D numbers per node.
 struct Loads {
-  Eigen::VectorXd applied;  // by tractions, springs and obstacles
+  Eigen::VectorXd applied;  // by tractions, pressures, point forces and springs
+  Eigen::VectorXd contact;  // by what touches: other bodies, obstacles, a body itself; friction as well
   Eigen::VectorXd held;  // what keeps prescribed components where they are: minus the sum of all terms' forces there,
                          // without the inertia of nodes that are moved
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/mesh/generate.h"
+#include "sim/study/loads.h"
 
 namespace app {
 namespace {
@@ -82,6 +83,27 @@ TEST(Arrows, APinThatMovesLeavesTheArrowsOfASheetTheirLength) {
     return length;
   };
   EXPECT_GT(longest(true), 0.2 * longest(false));
+}
+
+// A box a tenth of the barrier above a plane: what the plane presses, in a colour of its own, and nothing else.
+TEST(Arrows, ContactIsShownAlone) {
+  Document document = pulled_box(3);
+  document.scene.bodies[0].pins.clear();
+  document.scene.obstacles = {{sim::Plane{{0, -1e-4, 0}, {0, 1, 0}}, 0}};
+  document.look.force_scale = 1e-3;
+  document.look.contact_forces = true;
+  const sim::System system(document.scene);
+  const sim::State state = system.initial_state();
+  const auto alone = arrows_of(document, system, state);
+  ASSERT_FALSE(alone.empty());
+  for (const render::Arrow& arrow : alone) EXPECT_EQ(arrow.colour, alone[0].colour);
+  const Vec3 sum = sum_of(alone);
+  EXPECT_GT(sum.y(), 0);
+  EXPECT_NEAR(sum.y(), 1e-3 * sim::loads(system, state).contact.sum(), 1e-5 * sum.y());
+  document.look.contact_forces = false;
+  document.look.forces = true;
+  const auto all = arrows_of(document, system, state);
+  EXPECT_NEAR((sum_of(all) - sum - Vec3(0, 0.2, 0)).norm(), 0, 1e-5 * sum.y());  // and the 200 N that pull
 }
 
 TEST(Arrows, VelocitiesAreWaysInATime) {

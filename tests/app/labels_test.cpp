@@ -6,7 +6,7 @@ namespace app {
 namespace {
 
 // A square that faces a camera on the z axis.
-render::Surface square(const std::string& name, float x, float y, float z, float half) {
+render::Surface square_surface(const std::string& name, float x, float y, float z, float half) {
   render::Surface surface;
   surface.name = name;
   surface.positions = {x - half, y - half, z, x + half, y - half, z, x + half, y + half, z, x - half, y + half, z};
@@ -17,7 +17,8 @@ TEST(Labels, StandAboveBodiesAndBelowWhatIsHiddenBySomethingNearer) {
   render::Frame frame;
   frame.camera = {.eye = {0, 0, 10}, .target = {0, 0, 0}};
   // The far one's upper edge is behind the near one; of the third nothing is hidden.
-  frame.surfaces = {square("far", 0, 0, 0, 1), square("near", 0, 1, 2, 1), square("aside", 4, 0, 0, 1)};
+  frame.surfaces = {square_surface("far", 0, 0, 0, 1), square_surface("near", 0, 1, 2, 1),
+                    square_surface("aside", 4, 0, 0, 1)};
   add_labels(2, frame);
   ASSERT_EQ(frame.labels.size(), 2U);
   EXPECT_EQ(frame.labels[0].text, "far");
@@ -29,7 +30,7 @@ TEST(Labels, StandAboveBodiesAndBelowWhatIsHiddenBySomethingNearer) {
   // Nearer to the camera, the same place is its own.
   frame.labels.clear();
   std::swap(frame.surfaces[0], frame.surfaces[2]);
-  frame.surfaces[1] = square("near", 0, 1, -2, 1);
+  frame.surfaces[1] = square_surface("near", 0, 1, -2, 1);
   add_labels(3, frame);
   for (const render::Label& label : frame.labels) EXPECT_FALSE(label.below) << label.text;
 }

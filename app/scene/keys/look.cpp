@@ -15,8 +15,9 @@ std::vector<Key> colour_keys() {
       {"look.style", Form(Kind::choice).of(style_names), field<look_of, &Look::style>,
        "\"lecture\": paper, large letters and thick dark lines, for a projector and the last row of a hall."},
       {"look.colour", Form(Kind::choice).of(colour_names), field<look_of, &Look::colour>,
-       "Colours of the bodies: \"plain\", or by von Mises stress, largest principal stretch, energy density, or J = "
-       "det F."},
+       "Colours of the bodies: \"plain\", or by von Mises stress, largest principal stretch, energy density, J = det "
+       "F, "
+       "or the pressure of contact and obstacles."},
       {"look.range",
        Form(Kind::numbers, "of the values")
            .of_size(2, 2)
@@ -62,8 +63,11 @@ std::vector<Key> mark_keys() {
        "stepped as well."},
       {"look.pins", Kind::boolean, field<look_of, &Look::pins>, "Draw a dot at every pinned node of the surface."},
       {"look.forces", Kind::boolean, field<look_of, &Look::forces>,
-       "Draw forces as arrows: blue for tractions, springs and obstacles, red for what holds pinned nodes. Forces of "
-       "neighbouring nodes are joined into one arrow."},
+       "Draw forces as arrows: blue for tractions, pressures, point forces and springs, purple for contact and "
+       "obstacles, "
+       "red for what holds pinned nodes. Forces of neighbouring nodes are joined into one arrow."},
+      {"look.contact_forces", Kind::boolean, field<look_of, &Look::contact_forces>,
+       "Draw the forces of contact and obstacles alone, with their friction, as purple arrows."},
       {"look.force_scale",
        Form(Kind::number, "m/N", above(0)).otherwise("weight and loads together make half the size of the scene"),
        field<look_of, &Look::force_scale>, "Length of an arrow for each newton."},
