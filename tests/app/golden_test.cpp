@@ -62,6 +62,8 @@ const std::vector<Golden>& looks() {
         {"look.colour", "\"J\""},
         {"look.labels", "false"},
         {"look.obstacles", "false"}}},
+      {"contact", "assets/scenes/arch.toml", "0.3", {{"look.contact_forces", "true"}, {"look.colour", "\"plain\""}}},
+      {"drop", "assets/scenes/two-boxes.toml", "0.4", {}},
   };
   return all;
 }
