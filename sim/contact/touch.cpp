@@ -60,74 +60,6 @@ void add_parts_of_face(const Skin& skin, const Candidate& candidate, const Coupl
   }
 }
 
-// What two edges carry, by their closest points, numbers of the pair: those that are the same are one.
-struct EdgeProducts {
-  Nearest at[9];
-  double count[9];
-  int size = 0;
-
-  void add(Nearest it, double times) {
-    if (it.feature == Feature::point_point && it.node[0] > it.node[1]) std::swap(it.node[0], it.node[1]);
-    for (int k = 0; k < size; ++k)
-      if (at[k].feature == it.feature && at[k].node == it.node) {
-        count[k] += times;
-        return;
-      }
-    at[size] = it;
-    count[size++] = times;
-  }
-};
-
-// Numbers p, a, b of a pair: the point p against the edge from a to b.
-Nearest end_and_edge(const Vec3* x, int p, int a, int b) {
-  const Vec3 y[3] = {x[p], x[a], x[b]};
-  const int number[3] = {p, a, b};
-  Nearest it = nearest_point_edge(y);
-  for (int i = 0; i < node_count(it.feature); ++i) it.node[i] = number[it.node[i]];
-  return it;
-}
-
-// (e - u/2 - u'/2)(f - v/2 - v'/2) with ends u, v that are inside their surfaces, as far as they are near.
-EdgeProducts products_of(const Skin& skin, const int* points, const Vec3* x, const Nearest& at, double reach) {
-  EdgeProducts all;
-  all.add(at, 1);
-  bool inside[4];
-  for (int i = 0; i < 4; ++i) inside[i] = skin.faces_around[points[i]] > 0;
-  const auto add = [&](const Nearest& it, double times) {
-    if (it.d < reach) all.add(it, times);
-  };
-  for (int v = 2; v < 4; ++v)
-    if (inside[v]) add(end_and_edge(x, v, 0, 1), -0.5);
-  for (int u = 0; u < 2; ++u) {
-    if (!inside[u]) continue;
-    add(end_and_edge(x, u, 2, 3), -0.5);
-    for (int v = 2; v < 4; ++v)
-      if (inside[v]) add({Feature::point_point, {u, v, -1, -1}, (x[u] - x[v]).norm()}, 0.25);
-  }
-  return all;
-}
-
-void add_edge_pair(const Skin& skin, const Candidate& candidate, const Couple& couple, const int* points, const Vec3* x,
-                   const Nearest& at, std::vector<Touch>& touches) {
-  constexpr double half_pi = 1.57079632679489661923;
-  const int e = candidate.first, f = candidate.second;
-  const double lengths = skin.edge_length[e] * skin.edge_length[f];
-  const double weight = couple.kappa * edge_share * half_pi * skin.edge_area[e] * skin.edge_area[f] / lengths;
-  const double start =
-      mollifier_start(skin.edge_length[e] * skin.edge_length[e], skin.edge_length[f] * skin.edge_length[f]);
-  const bool whole = mollifier(x, start) == 1;
-  const EdgeProducts all = products_of(skin, points, x, at, couple.dh + couple.xi);
-  for (int k = 0; k < all.size; ++k) {
-    const Nearest& it = all.at[k];
-    const double own = weight * all.count[k];
-    if (whole)
-      touches.push_back(touch_of(it, points, candidate.couple, own));
-    else
-      touches.push_back(
-          {it.feature, {points[0], points[1], points[2], points[3]}, candidate.couple, own, start, it.node, it.d});
-  }
-}
-
 }  // namespace
 
 bool add_touches(const Skin& skin, const std::vector<Couple>& couples, const Candidate& candidate,
@@ -141,23 +73,28 @@ bool add_touches(const Skin& skin, const std::vector<Couple>& couples, const Can
   if (!(at.d > couple.xi)) return false;
   if (at.d >= couple.xi + couple.dh) return true;
   if (candidate.kind != PairKind::edge_edge) {
-    const double share = skin.D == 2 ? 1 : 1 - edge_share;
-    const double weight = couple.kappa * share * skin.point_area[points[0]] / 2;
+    const double weight = couple.kappa * skin.point_area[points[0]] / 2;
     touches.push_back(touch_of(at, points, candidate.couple, weight));
     add_parts_of_face(skin, candidate, couple, points, x, weight, touches);
     return true;
   }
-  add_edge_pair(skin, candidate, couple, points, x, at, touches);
+  constexpr double half_pi = 1.57079632679489661923;
+  const int e = candidate.first, f = candidate.second;
+  const double lengths = skin.edge_length[e] * skin.edge_length[f];
+  const double weight = couple.kappa * edge_share * half_pi * skin.edge_area[e] * skin.edge_area[f] / lengths;
+  const double start =
+      mollifier_start(skin.edge_length[e] * skin.edge_length[e], skin.edge_length[f] * skin.edge_length[f]);
+  if (mollifier(x, start) == 1) {
+    touches.push_back(touch_of(at, points, candidate.couple, weight));
+  } else {
+    touches.push_back(
+        {at.feature, {points[0], points[1], points[2], points[3]}, candidate.couple, weight, start, at.node, at.d});
+  }
   return true;
 }
 
 void gather(std::vector<Touch>& touches) {
-  // What nearly parallel edges carry stays together, pair by pair.
-  const auto key = [](const Touch& t) {
-    const bool parallel = t.e > 0;
-    return std::tuple(t.couple, parallel, parallel ? Feature::edge_edge : t.feature, t.point, t.feature, t.near,
-                      t.weight);
-  };
+  const auto key = [](const Touch& t) { return std::tuple(t.couple, t.feature, t.e > 0, t.point, t.weight); };
   std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
   // Weights that cancel are shares of one number: what round-off leaves of them is dropped.
   constexpr double round_off = 1e-9;

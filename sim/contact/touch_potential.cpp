@@ -52,20 +52,13 @@ PairVector TouchPotential::gradient() const {
 
 // weight [b Hess M + b' (grad M grad d^T + grad d grad M^T) + M Hess b]
 PairMatrix TouchPotential::tangent(Definiteness fix) const {
-  if (touch.e == 0) return pair_tangent(distance, touch.weight * b.first, touch.weight * b.second, fix);
+  if (touch.e == 0) return touch.weight * pair_tangent(distance, b.first, b.second, fix);
   const MollifierTangent own(x, touch.e);
   const PairVector g = spread(touch, distance.gradient());
   const PairMatrix cross = b.first * own.gradient * g.transpose();
-  return touch.weight * (b.b * own.hessian + cross + cross.transpose() +
-                         M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none)));
-}
-
-PairMatrix tangent_of(std::span<const Touch> touches, const std::vector<Couple>& couples, const Eigen::Matrix3Xd& x,
-                      Definiteness fix) {
-  PairMatrix K = PairMatrix::Zero();
-  for (const Touch& touch : touches) K += TouchPotential(touch, couples[touch.couple], x).tangent(fix);
-  // The mollifier's part is made definite with all that the pair has.
-  return touches[0].e == 0 || fix == Definiteness::none ? K : without_negative_part(K);
+  const PairMatrix H = b.b * own.hessian + cross + cross.transpose() +
+                       M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none));
+  return touch.weight * (fix == Definiteness::none ? H : without_negative_part(H));
 }
 
 }  // namespace sim

@@ -1,8 +1,6 @@
 // What one touch adds to the potential, weight M b(d), and its derivatives.
 #pragma once
 
-#include <span>
-
 #include "sim/contact/barrier.h"
 #include "sim/contact/distance.h"
 #include "sim/contact/touch.h"
@@ -23,7 +21,7 @@ struct TouchPotential {
 
   // Three numbers for each of the touch's points.
   PairVector gradient() const;
-  PairMatrix tangent(Definiteness fix) const;  // as it stands where edges are nearly parallel
+  PairMatrix tangent(Definiteness fix) const;
   // The normal force -weight M b' [N].
   double push() const { return -touch.weight * M * b.first; }
 
@@ -33,9 +31,5 @@ struct TouchPotential {
   Barrier b;
   double M = 1;
 };
-
-// Of touches that share their points: one, or all that two nearly parallel edges carry.
-PairMatrix tangent_of(std::span<const Touch> touches, const std::vector<Couple>& couples, const Eigen::Matrix3Xd& x,
-                      Definiteness fix);
 
 }  // namespace sim

@@ -156,15 +156,13 @@ void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store
 #pragma omp parallel for schedule(static) num_threads(s.threads)
   for (std::size_t k = 0; k < s.touches.size(); ++k) {
     const Touch& touch = s.touches[k];
-    const auto same_pair = [&](std::size_t other) {
-      return touch.e > 0 && s.touches[other].e > 0 && s.touches[other].point == touch.point;
-    };
     s.blocks[k].point = touch.point;
-    s.blocks[k].count = k > 0 && same_pair(k - 1) ? 0 : points_in(touch);
-    if (s.blocks[k].count == 0) continue;  // in the block before it
-    std::size_t next = k + 1;
-    while (next < s.touches.size() && same_pair(next)) ++next;
-    s.blocks[k].K = tangent_of({s.touches.data() + k, next - k}, in_.couples, s.x, fix);
+    s.blocks[k].count = points_in(touch);
+    // A count below 0, in a hollow, pulls: a negative part, kept only in the exact tangent.
+    if (touch.weight < 0 && fix != Definiteness::none)
+      s.blocks[k].K.setZero();
+    else
+      s.blocks[k].K = TouchPotential(touch, in_.couples[touch.couple], s.x).tangent(fix);
   }
   for (std::size_t k = 0; k < sticks; ++k) {
     const Stick& stick = s.sticks[k];
@@ -227,15 +225,14 @@ Vec3 ContactTerm::on_first(const Couple& couple, const std::array<int, 4>& point
   return sum;
 }
 
-// What lies under the points that a face pushes; points of both sides carry half of it each, in space less what edges
-// do.
+// What lies under the points that a face pushes; points of both sides carry half of it each.
 double ContactTerm::area_of(const Candidate& candidate, Contacts& s) const {
   if (candidate.kind == PairKind::edge_edge) return 0;
   std::vector<Touch> touches;
   add_touches(in_.skin, in_.couples, candidate, s.x, touches);
   double area = 0;
   for (const Touch& touch : touches) area += touch.weight / in_.couples[touch.couple].kappa;
-  return in_.skin.D == 2 ? area : area / (1 - edge_share);
+  return area;
 }
 
 std::vector<ContactReport> ContactTerm::reports(const Motion& begin, const Motion& motion) const {
