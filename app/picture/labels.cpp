@@ -13,7 +13,7 @@ namespace {
 struct Seen {
   Eigen::AlignedBox2f box;
   float depth = 0;
-  Eigen::Vector3f top, bottom;  // the places for its name
+  Eigen::Vector3f top, middle, bottom;  // the places for its name
 };
 
 // On a screen one pixel wide and high; third: how far ahead.
@@ -29,7 +29,7 @@ Seen seen(const render::Surface& surface, const render::View& view) {
     const Eigen::Vector3f at = on_screen(view, point);
     if (view.orthographic || at.z() > 0) it.box.extend(Eigen::Vector2f(at.head<2>()));
   }
-  const Eigen::Vector3f middle = points.rowwise().mean();
+  const Eigen::Vector3f middle = it.middle = points.rowwise().mean();
   const Eigen::RowVectorXf heights = view.up.transpose() * points;
   it.depth = on_screen(view, middle).z();
   it.top = middle + (heights.maxCoeff() - view.up.dot(middle)) * view.up;
@@ -54,8 +54,9 @@ void add_labels(std::size_t count, render::Frame& frame) {
         return &other != &own && nearer && other.box.contains(at);
       });
     };
-    const bool below = hidden(own.top) && !hidden(own.bottom);
-    const Eigen::Vector3f& at = below ? own.bottom : own.top;
+    // Between others, as in a stack, a name stands on its own body rather than on one of them.
+    const bool between = hidden(own.top) && hidden(own.bottom), below = !between && hidden(own.top);
+    const Eigen::Vector3f& at = between ? own.middle : below ? own.bottom : own.top;
     frame.labels.push_back({{at.x(), at.y(), at.z()}, frame.surfaces[i].name, below});
   }
 }

@@ -35,5 +35,17 @@ TEST(Labels, StandAboveBodiesAndBelowWhatIsHiddenBySomethingNearer) {
   for (const render::Label& label : frame.labels) EXPECT_FALSE(label.below) << label.text;
 }
 
+// The names of what lies between others in a stack would stand on these.
+TEST(Labels, StandOnTheirOwnBodyBetweenOthers) {
+  render::Frame frame;
+  frame.camera = {.eye = {0, 0, 10}, .target = {0, 0, 0}, .orthographic = true, .height = 8};
+  for (const float y : {-2.0F, 0.0F, 2.0F}) frame.surfaces.push_back(square_surface("s", 0, y, 0, 1.01F));
+  add_labels(3, frame);
+  ASSERT_EQ(frame.labels.size(), 3U);
+  EXPECT_TRUE(frame.labels[0].below);
+  EXPECT_FLOAT_EQ(frame.labels[1].at[1], 0);
+  EXPECT_FLOAT_EQ(frame.labels[2].at[1], 3.01F);
+}
+
 }  // namespace
 }  // namespace app
