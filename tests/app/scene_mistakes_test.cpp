@@ -18,7 +18,8 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {"\nfps = 30\n", "scene.toml:2: unknown key 'fps': did you mean 'time.fps'?"},
       {"[look]\nqqqqqqqqq = 1\n",
        "scene.toml:2: unknown key 'look.qqqqqqqqq': known here are style, colour, range, colour_map, finish, smooth, "
-       "background, shadows, ground, ground_height, obstacles, wireframe, ghost, pins, forces, contact_forces, force_scale, "
+       "background, shadows, ground, ground_height, obstacles, wireframe, ghost, pins, forces, contact_forces, "
+       "force_scale, "
        "velocities, "
        "velocity_scale, caption, labels, energies, axes, scale_bar"},
       {body("material = { yuong = 1 }\n"), "scene.toml:3: unknown key 'body.0.material.yuong': did you mean 'young'?"},
