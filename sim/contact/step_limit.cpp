@@ -21,15 +21,22 @@ Vec3 direction_between(PairKind kind, const Vec3* x, const Nearest& at) {
   return n.dot(x[0] - x[first_count(kind)]) < 0 ? Vec3(-n) : n;
 }
 
-// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second; not
-// below 0 where round-off says that it is so already.
-double advance_to(PairKind kind, const Vec3* x, const Vec3* dx, const Vec3& n, double left) {
+// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second: these
+// are at least d for the direction between the closest points. Where they are not, d is so small that round-off has
+// turned n, and no node may come nearer to another than `left` by its own motion, whatever the direction.
+double advance_to(PairKind kind, const Vec3* x, const Vec3* dx, const Vec3& n, double d, double left) {
+  constexpr double trusted = 0.99;
   const int nodes = node_count(kind), first = first_count(kind);
-  double a = std::numeric_limits<double>::infinity();
+  double a = std::numeric_limits<double>::infinity(), apart = a, fastest = 0;
   for (int i = 0; i < first; ++i)
-    for (int j = first; j < nodes; ++j)
-      if (const double fall = n.dot(dx[j] - dx[i]); fall > 0) a = std::min(a, (n.dot(x[i] - x[j]) - left) / fall);
-  return std::max(a, 0.0);
+    for (int j = first; j < nodes; ++j) {
+      const Vec3 closing = dx[j] - dx[i];
+      const double fall = n.dot(closing), distance = n.dot(x[i] - x[j]);
+      apart = std::min(apart, distance);
+      fastest = std::max(fastest, closing.norm());
+      if (fall > 0) a = std::min(a, (distance - left) / fall);
+    }
+  return apart >= trusted * d ? std::max(a, 0.0) : (d - left) / fastest;
 }
 
 }  // namespace
@@ -44,7 +51,8 @@ double step_limit(PairKind kind, const Vec3* x, const Vec3* dx, double least, do
   std::copy(x, x + nodes, y);
   double a = 0;
   for (int k = 0; k < most_iterations; ++k) {
-    const double next = a + advance_to(kind, y, dx, direction_between(kind, y, at), least + kept * (at.d - least));
+    const double next =
+        a + advance_to(kind, y, dx, direction_between(kind, y, at), at.d, least + kept * (at.d - least));
     if (!(next < most)) return most;
     for (int i = 0; i < nodes; ++i) y[i] = x[i] + next * dx[i];
     at = nearest(kind, y);
