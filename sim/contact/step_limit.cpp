@@ -21,11 +21,10 @@ Vec3 direction_between(PairKind kind, const Vec3* x, const Nearest& at) {
   return n.dot(x[0] - x[first_count(kind)]) < 0 ? Vec3(-n) : n;
 }
 
-// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second: these
-// are at least d for the direction between the closest points. Where they are not, d is so small that round-off has
-// turned n, and no node may come nearer to another than `left` by its own motion, whatever the direction.
+// How far a may rise until n.(x_i - x_j) is `left` for some nodes i of the first primitive and j of the second: while
+// all are more, nothing passes. Where one is less already, the gap d is so small that round-off has turned n, and no
+// node may come nearer to another than `left` by its own motion, whatever the direction.
 double advance_to(PairKind kind, const Vec3* x, const Vec3* dx, const Vec3& n, double d, double left) {
-  constexpr double trusted = 0.99;
   const int nodes = node_count(kind), first = first_count(kind);
   double a = std::numeric_limits<double>::infinity(), apart = a, fastest = 0;
   for (int i = 0; i < first; ++i)
@@ -36,7 +35,7 @@ double advance_to(PairKind kind, const Vec3* x, const Vec3* dx, const Vec3& n, d
       fastest = std::max(fastest, closing.norm());
       if (fall > 0) a = std::min(a, (distance - left) / fall);
     }
-  return apart >= trusted * d ? std::max(a, 0.0) : (d - left) / fastest;
+  return apart > left ? a : (d - left) / fastest;
 }
 
 }  // namespace

@@ -50,6 +50,13 @@ Course course_of(const test::Drop& drop) {
   return it;
 }
 
+// A gap of 1e-12, whose direction round-off has turned: along it bodies seemed to have room.
+TEST(ContactDrops, WhatRoundOffTurnsIsNotTrusted) {
+  const Course it = course_of(test::drop(455));
+  EXPECT_EQ(it.failure, "");
+  EXPECT_GT(it.touching, 0);
+}
+
 TEST(ContactDrops, NothingCrosses) {
   const Seeds seeds = seeds_asked_for();
   int stops = 0, touched = 0;
