@@ -198,6 +198,17 @@ void add_window_options(CLI::App& command, Options& options) {
             "DIR");
 }
 
+// The reference of keys needs no scene.
+void add_explain_options(CLI::App& command, Options& options) {
+  CLI::Option* const keys =
+      command.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
+  add_named(command, "--compare", options.compare,
+            "Run folder with VTU files, made without a basis, beside which bodies with one are put", "DIR")
+      ->excludes(keys);
+  command.get_option("SCENE")->required(false);
+  command.get_option("SCENE")->excludes(keys);
+}
+
 // What is wrong with the first argument, where that is to be a command; empty where nothing is.
 std::string unknown_command(const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().empty() || arguments.front()[0] == '-') return {};
@@ -240,13 +251,7 @@ std::optional<Options> parse_command_line(const std::vector<std::string>& argume
   add_stress_options(command("stress"), options);
   add_residual_options(command("residuals"), options);
   CLI::App& explain = command("explain");
-  CLI::Option* const keys =
-      explain.add_flag("--keys", options.keys, "Print the reference of all keys of a scene, in Markdown");
-  add_named(explain, "--compare", options.compare,
-            "Run folder with VTU files, made without a basis, beside which bodies with one are put", "DIR")
-      ->excludes(keys);
-  explain.get_option("SCENE")->required(false);
-  explain.get_option("SCENE")->excludes(keys);
+  add_explain_options(explain, options);
   command("scenes").add_flag("--names", options.names, "Print the names only");
 
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());

@@ -166,8 +166,7 @@ class AbaqusReader {
 
 sim::Mesh read_abaqus(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name, '\0', ',');
-  const MshContents contents = AbaqusReader(in).read(remarks);
-  return make_mesh(std::move(contents), std::string(name), remarks);
+  return make_mesh(AbaqusReader(in).read(remarks), std::string(name), remarks);
 }
 
 }  // namespace app

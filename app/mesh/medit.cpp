@@ -123,8 +123,7 @@ class MeditReader {
 
 sim::Mesh read_medit(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name, '#');
-  const MshContents contents = MeditReader(in).read();
-  return make_mesh(std::move(contents), std::string(name), remarks);
+  return make_mesh(MeditReader(in).read(), std::string(name), remarks);
 }
 
 }  // namespace app

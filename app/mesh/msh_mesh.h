@@ -9,8 +9,8 @@
 
 namespace app {
 
-// Throws FileError when there is no body in it: no elements of dimension 2 or 3, or not of one kind, but
-// for triangles and squares, which all become triangles.
+// Throws FileError when there is no body in it: no elements of dimension 2 or 3, or not of one kind, but for triangles
+// and squares, which all become triangles.
 sim::Mesh make_mesh(MshContents contents, const std::string& name, std::vector<std::string>& remarks);
 
 }  // namespace app

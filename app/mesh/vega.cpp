@@ -120,8 +120,7 @@ class VegaReader {
 
 sim::Mesh read_vega(std::string_view content, std::string_view name, std::vector<std::string>& remarks) {
   Cursor in(content, name, '#', ',');
-  const MshContents contents = VegaReader(in).read();
-  return make_mesh(std::move(contents), std::string(name), remarks);
+  return make_mesh(VegaReader(in).read(), std::string(name), remarks);
 }
 
 }  // namespace app

@@ -51,7 +51,7 @@ double expected_lowest(const sim::System& system, const sim::Scene& scene, const
   double lowest = lowest_of(system.of_bodies(start.x), up);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const sim::BodyRange& body = system.bodies()[b];
-    const double sag = sim::expected_sag(system, scene.bodies[b], b, scene.world.gravity);
+    const double sag = sim::expected_sag(system, b, scene.world.gravity);
     lowest = std::min(lowest, lowest_of(body.mesh->X.reshaped(), up) - sag);
   }
   for (const sim::Obstacle& obstacle : scene.obstacles)

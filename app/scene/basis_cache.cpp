@@ -81,10 +81,11 @@ fs::path basis_file(const fs::path& cache, const Document& document) {
 }
 
 std::optional<double> take_bases(const fs::path& cache, Document& document) {
+  if (cache.empty()) return std::nullopt;
   const std::uint64_t key = key_of(document);
   const fs::path path = file_of(cache, key);
   std::ifstream file(path, std::ios::binary);
-  if (cache.empty() || !file) return std::nullopt;
+  if (!file) return std::nullopt;
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   KeptBases kept;
   try {

@@ -10,19 +10,18 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-bool changes(const TradeCase& which, std::string_view key_end) {
+// Whether it sets such a key of a body.
+bool changes(const TradeCase& which, bool (*is_such)(std::string_view key)) {
   return std::ranges::any_of(which.settings, [&](const auto& setting) {
-    return setting.first.starts_with("body.") && setting.first.ends_with(key_end);
+    return setting.first.starts_with("body.") && is_such(setting.first);
   });
 }
 bool changes_model(const TradeCase& which) {
-  return changes(which, "material.model");
+  return changes(which, [](std::string_view key) { return key.ends_with("material.model"); });
 }
 // But for what they move in: all bases are measured against the reference, which has all nodes.
 bool changes_bodies(const TradeCase& which) {
-  return std::ranges::any_of(which.settings, [](const auto& setting) {
-    return setting.first.starts_with("body.") && setting.first.find(".basis.") == std::string::npos;
-  });
+  return changes(which, [](std::string_view key) { return key.find(".basis.") == std::string_view::npos; });
 }
 
 // Whether scheme and step are those of the mesh study, and nothing but meshes and masses differs.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/contact/pair_tangent.h"
+#include "sim/contact/spread.h"
 #include "sim/contact/step_limit.h"
 
 namespace sim {
@@ -64,20 +65,14 @@ Approach::Approach(const Sphere& sphere, const Patch& at) {
 
 PairMatrix approach_tangent(const Plane& plane, const Patch& at, double /*first*/, double second, Definiteness) {
   const Approach here(plane, at);
-  PairVector g = PairVector::Zero();
-  for (int i = 0; i < 2; ++i) g.segment<3>(3 * i) = here.c[i] * here.normal;
+  const PairVector g = spread(here.c, here.normal);
   return second * g * g.transpose();
 }
 
 PairMatrix approach_tangent(const Sphere& sphere, const Patch& at, double first, double second, Definiteness fix) {
   const CentreDistance pair(WithCentre(sphere, at), at);
   const Distance distance(pair.nearest.feature, pair.x);
-  const PairMatrix K = pair_tangent(distance, first, second, fix);
-  PairMatrix all = PairMatrix::Zero();
-  const std::array<int, 4>& to = pair.nearest.node;
-  for (int i = 0; i < distance.nodes; ++i)
-    for (int j = 0; j < distance.nodes; ++j) all.block<3, 3>(3 * to[i], 3 * to[j]) = K.block<3, 3>(3 * i, 3 * j);
-  return all;
+  return put(pair.nearest.node, distance.nodes, pair_tangent(distance, first, second, fix));
 }
 
 // The a at which d = 0, as the plane moves and turns:

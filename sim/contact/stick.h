@@ -2,7 +2,10 @@
 //   slip = (I - n n^T) sum_i c_i v_i,  U_f = mu lambda f0(|slip|) g h  [Li et al. 2020]
 #pragma once
 
+#include <span>
+
 #include "sim/contact/smooth_friction.h"
+#include "sim/contact/spread.h"
 #include "sim/contact/touch_potential.h"
 
 namespace sim {
@@ -24,20 +27,8 @@ struct Stick {
   double c[4] = {};
   Vec3 n;
   double strength;
-};
 
-// C^T k, for a vector k at the closest points
-inline PairVector spread(const Stick& stick, const Vec3& k) {
-  PairVector all = PairVector::Zero();
-  for (int i = 0; i < stick.count; ++i) all.segment<3>(3 * i) = stick.c[i] * k;
-  return all;
-}
-// C^T K C
-inline PairMatrix spread(const Stick& stick, const Eigen::Matrix3d& K) {
-  PairMatrix all = PairMatrix::Zero();
-  for (int i = 0; i < stick.count; ++i)
-    for (int j = 0; j < stick.count; ++j) all.block<3, 3>(3 * i, 3 * j) = stick.c[i] * stick.c[j] * K;
-  return all;
-}
+  std::span<const double> shares() const { return {c, static_cast<std::size_t>(count)}; }
+};
 
 }  // namespace sim

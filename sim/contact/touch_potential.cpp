@@ -2,24 +2,16 @@
 
 #include "sim/contact/mollifier.h"
 #include "sim/contact/pair_tangent.h"
+#include "sim/contact/spread.h"
 
 namespace sim {
 
 namespace {
 
-// Numbers of the nearest points' own order, put where the touch has these points.
-PairVector spread(const Touch& touch, const PairVector& g) {
-  if (touch.e == 0) return g;
-  PairVector all = PairVector::Zero();
-  for (int i = 0; i < node_count(touch.feature); ++i) all.segment<3>(3 * touch.near[i]) = g.segment<3>(3 * i);
-  return all;
-}
-PairMatrix spread(const Touch& touch, const PairMatrix& H) {
-  PairMatrix all = PairMatrix::Zero();
-  for (int i = 0; i < node_count(touch.feature); ++i)
-    for (int j = 0; j < node_count(touch.feature); ++j)
-      all.block<3, 3>(3 * touch.near[i], 3 * touch.near[j]) = H.block<3, 3>(3 * i, 3 * j);
-  return all;
+// Where the touch has the points that carry the distance.
+template <class Numbers>
+Numbers at_points(const Touch& touch, const Numbers& own) {
+  return put(touch.near, node_count(touch.feature), own);
 }
 
 Distance distance_of(const Touch& touch, const Eigen::Matrix3Xd& positions, Vec3* x, Vec3* near) {
@@ -45,8 +37,8 @@ TouchPotential::TouchPotential(const Touch& it, const Couple& couple, const Eige
 
 // weight (b grad M + M b' grad d)
 PairVector TouchPotential::gradient() const {
-  const PairVector g = spread(touch, distance.gradient());
-  if (touch.e == 0) return touch.weight * b.first * g;
+  if (touch.e == 0) return touch.weight * b.first * distance.gradient();
+  const PairVector g = at_points(touch, distance.gradient());
   return touch.weight * (b.b * MollifierTangent(x, touch.e).gradient + M * b.first * g);
 }
 
@@ -54,10 +46,10 @@ PairVector TouchPotential::gradient() const {
 PairMatrix TouchPotential::tangent(Definiteness fix) const {
   if (touch.e == 0) return touch.weight * pair_tangent(distance, b.first, b.second, fix);
   const MollifierTangent own(x, touch.e);
-  const PairVector g = spread(touch, distance.gradient());
+  const PairVector g = at_points(touch, distance.gradient());
   const PairMatrix cross = b.first * own.gradient * g.transpose();
   const PairMatrix H = b.b * own.hessian + cross + cross.transpose() +
-                       M * spread(touch, pair_tangent(distance, b.first, b.second, Definiteness::none));
+                       M * at_points(touch, pair_tangent(distance, b.first, b.second, Definiteness::none));
   return touch.weight * (fix == Definiteness::none ? H : without_negative_part(H));
 }
 

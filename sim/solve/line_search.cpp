@@ -79,11 +79,14 @@ bool Newton::turn(const StageProblem& stage, const Motion& motion, double a, Eig
   product_ = a * dx_;
   if (!turn_along(model_, tangent_.free(), least, x_from_, product_, turned_)) return false;
   move(stage, 0, x, v);
-  const bool is_free = !(tangent_.largest_step(motion, turned_) < 1);
-  if (is_free) dx_.swap(turned_);
-  move(stage, is_free ? 1 : a, x, v);
-  if (is_free) dx_.swap(turned_);
-  return is_free;
+  if (tangent_.largest_step(motion, turned_) < 1) {
+    move(stage, a, x, v);
+    return false;
+  }
+  dx_.swap(turned_);
+  move(stage, 1, x, v);
+  dx_.swap(turned_);
+  return true;
 }
 
 // How often dx_ may be taken at once. What is in the way could be gone around by a few long moves, each of them free:

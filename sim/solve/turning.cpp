@@ -48,11 +48,11 @@ bool turn_along(const Model& model, const Eigen::VectorXd& free, double least, c
   const int D = model.D;
   bool turns = false;
   turned = dx;
-  for (const BodyRange& range : model.ranges) {
-    const Mass& mass = model.masses[static_cast<std::size_t>(&range - model.ranges.data())];
+  for (std::size_t b = 0; b < model.ranges.size(); ++b) {
+    const BodyRange& range = model.ranges[b];
     const Eigen::Index first = static_cast<Eigen::Index>(range.first_node) * D;
     if ((free.segment(first, static_cast<Eigen::Index>(range.node_count) * D).array() == 0).any()) continue;
-    const Turn turn = turn_in(mass, D, x, dx);
+    const Turn turn = turn_in(model.masses[b], D, x, dx);
     const double w = turn.w.norm();
     if (!(w > least)) continue;
     turns = true;

@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/build/parts.h"
+
 namespace sim {
 
-double expected_sag(const System& system, const Body& body, std::size_t b, const Vec3& gravity) {
+double expected_sag(const System& system, std::size_t b, const Vec3& gravity) {
   const BodyRange& range = system.bodies()[b];
   const Eigen::MatrixXd& X = range.mesh->X;
   Eigen::AlignedBox3d held;
@@ -21,7 +23,7 @@ double expected_sag(const System& system, const Body& body, std::size_t b, const
     L = std::max(L, (arm - arm.dot(down) * down).norm());
   }
   const double H = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).minCoeff();
-  const MaterialSpec& material = body.materials.front();
+  const MaterialSpec& material = parts_of(system).model.bodies[b].materials.front();
   const double rho_g = material.density * gravity.norm();
   return H > 0 ? std::min(L, 2 * 1.5 * rho_g * L * L * L * L / (material.young * H * H)) : L;
 }

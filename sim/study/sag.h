@@ -9,6 +9,6 @@ namespace sim {
 // bends like a cantilever of the body's least extent H and swings twice as far as it hangs, but never lower than L,
 //   w = 3/2 rho g L^4/(E H^2).   [Timoshenko; a beam of height H under its own weight]
 // 0 where nothing is pinned.
-double expected_sag(const System& system, const Body& body, std::size_t b, const Vec3& gravity);
+double expected_sag(const System& system, std::size_t b, const Vec3& gravity);
 
 }  // namespace sim

@@ -145,7 +145,7 @@ void ContactTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd
   if (is_gone(motion.t)) return;
   for (const Stick& stick : s.sticks)
     scatter(stick.point, stick.count,
-            spread(stick, Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))), f);
+            spread(stick.shares(), Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))), f);
 }
 
 void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store, Eigen::VectorXd& f) const {
@@ -167,7 +167,7 @@ void ContactTerm::linearise(const Motion& motion, Definiteness fix, Store& store
   for (std::size_t k = 0; k < sticks; ++k) {
     const Stick& stick = s.sticks[k];
     const Eigen::Matrix3d K = stick.strength * motion.dv_dx * slip_tangent(slip(stick, motion.v), stick.n, in_.eps);
-    s.blocks[s.touches.size() + k] = {stick.point, stick.count, spread(stick, K)};
+    s.blocks[s.touches.size() + k] = {stick.point, stick.count, spread(stick.shares(), K)};
   }
 }
 
@@ -252,7 +252,7 @@ std::vector<ContactReport> ContactTerm::reports(const Motion& begin, const Motio
   for (const Stick& stick : s.sticks)
     all[stick.couple].friction +=
         on_first(in_.couples[stick.couple], stick.point, stick.count,
-                 spread(stick, Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))));
+                 spread(stick.shares(), Vec3(-stick.strength * slip_gradient(slip(stick, motion.v), in_.eps))));
   for (const Candidate& candidate : s.candidates) all[candidate.couple].area += area_of(candidate, s);
   return all;
 }

@@ -9,6 +9,7 @@
 #include "sim/body/pose.h"
 #include "sim/contact/barrier.h"
 #include "sim/contact/smooth_friction.h"
+#include "sim/contact/spread.h"
 
 namespace sim {
 
@@ -153,23 +154,6 @@ void ObstacleTerm::scatter(const Contact& contact, const PairVector& force, Eige
     f.segment(static_cast<Eigen::Index>(contact.node[i]) * D_, D_) += force.segment(3 * (1 + i), D_);
 }
 
-namespace {
-
-// A force at the closest points, shared among the obstacle's place and the nodes.
-PairVector shared(const Approach& at, const Vec3& force) {
-  PairVector all = PairVector::Zero();
-  for (int i = 0; i < 4; ++i) all.segment<3>(3 * i) = at.c[i] * force;
-  return all;
-}
-PairMatrix shared(const Approach& at, const Eigen::Matrix3d& K) {
-  PairMatrix all = PairMatrix::Zero();
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) all.block<3, 3>(3 * i, 3 * j) = at.c[i] * at.c[j] * K;
-  return all;
-}
-
-}  // namespace
-
 void ObstacleTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorXd& f) const {
   if (is_gone(motion.t)) return;
   const auto& s = static_cast<const Touched&>(store);
@@ -179,12 +163,12 @@ void ObstacleTerm::add_forces(const Motion& motion, Store& store, Eigen::VectorX
           const Patch at = patch(motion.x, contact);
           if (gap(here, at) >= dh_) continue;
           const Approach near(here, at);
-          scatter(contact, shared(near, Vec3(-contact.kappa * Barrier(near.d, dh_).first * near.normal)), f);
+          scatter(contact, spread(near.c, Vec3(-contact.kappa * Barrier(near.d, dh_).first * near.normal)), f);
         }
       },
       shape(motion.x));
   for (const Grip& grip : s.grips)
-    scatter(contacts_[grip.contact], shared(grip.at, Vec3(-grip.strength * slip_gradient(slip(motion, grip), eps_))),
+    scatter(contacts_[grip.contact], spread(grip.at.c, Vec3(-grip.strength * slip_gradient(slip(motion, grip), eps_))),
             f);
 }
 
@@ -207,7 +191,7 @@ void ObstacleTerm::linearise(const Motion& motion, Definiteness fix, Store& stor
       s.shape);
   for (const Grip& grip : s.grips) {
     const Eigen::Matrix3d K = grip.strength * motion.dv_dx * slip_tangent(slip(motion, grip), grip.at.normal, eps_);
-    s.blocks.push_back({grip.contact, patch(motion.x, contacts_[grip.contact]), shared(grip.at, K)});
+    s.blocks.push_back({grip.contact, patch(motion.x, contacts_[grip.contact]), spread(grip.at.c, K)});
   }
 }
 
