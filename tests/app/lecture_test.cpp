@@ -1,4 +1,4 @@
-// The pages of assets/lectures: each shows its numbers and proves its point; numbers.csv holds what the frames show.
+// The pages of assets/lectures: each shows its numbers and proves its point.
 #include <cmath>
 #include <map>
 #include <set>
@@ -13,62 +13,16 @@
 #include "app/scene/scene_text.h"
 #include "sim/stepper.h"
 #include "sim/study/pure_newton.h"
-#include "tests/app/workbench_scene.h"
+#include "tests/app/lecture/deck.h"
+#include "tests/app/lecture/pages.h"
+#include "tests/app/scene_fixture.h"
 #include "tests/sim/residual/problems.h"
 
 namespace app {
 namespace {
 
-const std::filesystem::path deck_folder = std::filesystem::path(RITZ_SOURCE_DIR) / "assets" / "lectures";
-
-Options page(const std::filesystem::path& file) {
-  Options options;
-  options.scene = file;
-  options.quiet = true;
-  options.width = 320;
-  options.height = 180;
-  return options;
-}
-
-// Keys and values, as --set has them.
-using Changes = std::vector<std::pair<std::string, std::string>>;
-Options changed(Options options, const Changes& changes) {
-  for (const auto& [key, value] : changes) options.overrides.push_back({key, value, "--set"});
-  return options;
-}
-
-// The sheets of the first frames of a page.
-std::vector<render::Sheet> sheets(const std::filesystem::path& file, int frames, const Changes& changes = {}) {
-  const Simulation simulation = build_simulation(changed(page(file), changes));
-  FrameHistory history(simulation);
-  const auto stepper = sim::make_stepper(*simulation.system, 1);
-  sim::State state = simulation.system->initial_state();
-  LargestShown largest{};
-  std::vector<render::Sheet> all;
-  for (int k = 0; k < frames; ++k) {
-    history.add(state, largest);
-    Moment moment{.frame = k, .state = state};
-    history.fill(largest, moment);
-    all.push_back(*moment.sheet);
-    for (int n = 0; n < simulation.system->steps_per_frame(); ++n) EXPECT_EQ(stepper->step(state).failure, "");
-  }
-  return all;
-}
-
-const render::Number& number_named(const render::Sheet& sheet, const std::string& name,
-                                   std::vector<render::Number>& all) {
-  all = render::numbers_of(sheet);
-  const auto found = std::ranges::find(all, name, &render::Number::name);
-  if (found == all.end()) throw std::runtime_error("no number " + name);
-  return *found;
-}
-std::string text_of(const render::Sheet& sheet, const std::string& name) {
-  std::vector<render::Number> all;
-  return number_named(sheet, name, all).text;
-}
-
 TEST(LecturePages, AreSmallAndSayWhatTheyProve) {
-  const std::vector<std::filesystem::path> pages = pages_of(deck_folder);
+  const std::vector<std::filesystem::path> pages = pages_of(lecture_deck);
   EXPECT_GE(pages.size(), 8U);
   for (const std::filesystem::path& file : pages) {
     SCOPED_TRACE(file.filename());
@@ -97,7 +51,7 @@ TEST(LecturePages, AreSmallAndSayWhatTheyProve) {
 
 // The storyboard's numbers, as they are printed.
 TEST(LecturePages, ShowTheNumbersThatProveThem) {
-  const render::Sheet xray = sheets(deck_folder / "09-x-ray.toml", 1)[0];
+  const render::Sheet xray = sheets(lecture_deck / "09-x-ray.toml", 1)[0];
   EXPECT_EQ(text_of(xray, "F11"), "1.2000");
   EXPECT_EQ(text_of(xray, "F12"), "-0.3333");
   EXPECT_EQ(text_of(xray, "J"), "1.4300");
@@ -105,29 +59,29 @@ TEST(LecturePages, ShowTheNumbersThatProveThem) {
   EXPECT_EQ(text_of(xray, "P11"), "48.439");
   EXPECT_EQ(text_of(xray, "f12"), "-39.80");
   EXPECT_EQ(text_of(xray, "torque"), "0.000");
-  const render::Sheet mass = sheets(deck_folder / "08-mass-lumping.toml", 1)[0];
+  const render::Sheet mass = sheets(lecture_deck / "08-mass-lumping.toml", 1)[0];
   EXPECT_EQ(text_of(mass, "exact"), "27.6699");
   EXPECT_EQ(text_of(mass, "consistent.error"), "+7.92");
   EXPECT_EQ(text_of(mass, "lumped.error"), "-7.69");
   EXPECT_EQ(text_of(mass, "consistent.limit"), "4.6303");
   EXPECT_EQ(text_of(mass, "lumped.limit"), "7.9439");
-  const render::Sheet limit = sheets(deck_folder / "11-explicit-and-implicit.toml", 1)[0];
+  const render::Sheet limit = sheets(lecture_deck / "11-explicit-and-implicit.toml", 1)[0];
   EXPECT_EQ(text_of(limit, "limit"), "5.5731");
   EXPECT_EQ(text_of(limit, "growth"), "1.3266");
-  const render::Sheet newton = sheets(deck_folder / "12-definiteness.toml", 145).back();
+  const render::Sheet newton = sheets(lecture_deck / "12-definiteness.toml", 145).back();
   EXPECT_EQ(text_of(newton, "none.end"), "maximum");
   EXPECT_EQ(text_of(newton, "abs.end"), "minimum");
   EXPECT_EQ(text_of(newton, "abs.steps"), "8");
   EXPECT_EQ(text_of(newton, "clamp.end"), "K = 0: stuck");
-  const render::Sheet hills = sheets(deck_folder / "02-shape-functions.toml", 1)[0];
+  const render::Sheet hills = sheets(lecture_deck / "02-shape-functions.toml", 1)[0];
   EXPECT_EQ(text_of(hills, "sum"), "1.000000");
-  const render::Sheet order = sheets(deck_folder / "03-interpolation.toml", 65).back();
+  const render::Sheet order = sheets(lecture_deck / "03-interpolation.toml", 65).back();
   EXPECT_EQ(text_of(order, "order"), "1.99");
 }
 
 // reduced.json: 2 modes and 3 derivatives 0.0265 %, 40 modes 2.30 %; and r counts up, its curve with it.
 TEST(LecturePages, FewNumbersHaveTheErrorsOfTheReference) {
-  const std::filesystem::path file = deck_folder / "14-reduced-basis.toml";
+  const std::filesystem::path file = lecture_deck / "14-reduced-basis.toml";
   EXPECT_EQ(text_of(sheets(file, 1, {{"exhibit.0.values", "[5]"}})[0], "derivatives.5"), "0.0264");
   EXPECT_EQ(text_of(sheets(file, 1, {{"exhibit.0.values", "[40]"}})[0], "modes.40"), "2.2982");
   const std::vector<render::Sheet> counting = sheets(file, 70);
@@ -145,7 +99,7 @@ TEST(LecturePages, FewNumbersHaveTheErrorsOfTheReference) {
 
 // With another basis, other rows, another matrix: low_dimensional.json as it is printed.
 TEST(LecturePages, FiveVectorsAreThoseOfTheTable) {
-  const std::filesystem::path file = deck_folder / "04-five-vectors.toml";
+  const std::filesystem::path file = lecture_deck / "04-five-vectors.toml";
   const render::Sheet sheet = sheets(file, 1)[0];
   EXPECT_EQ(text_of(sheet, "rows.residual"), "1134.05");
   EXPECT_EQ(text_of(sheet, "least-squares.residual"), "69.52");
@@ -175,7 +129,7 @@ TEST(LecturePages, FiveVectorsAreThoseOfTheTable) {
 
 // The last row of a method, as residuals.csv has it for n = 4, is what the page prints.
 TEST(LecturePages, WeightedResidualsAreThoseOfTheTable) {
-  const std::filesystem::path file = deck_folder / "05-weighted-residuals.toml";
+  const std::filesystem::path file = lecture_deck / "05-weighted-residuals.toml";
   std::map<std::string, render::Sheet> shown;  // by problem and basis
   int compared = 0;
   for (const auto& row : sim::test::rows_of("residuals.csv")) {
@@ -183,7 +137,7 @@ TEST(LecturePages, WeightedResidualsAreThoseOfTheTable) {
     if (row[3] != "4" || method == "ritz-anyway") continue;
     if (!shown.contains(problem + basis))
       shown[problem + basis] = sheets(file, 3,
-                                      {{"exhibit.0.problem", deck_folder / "problems" / (problem + ".toml")},
+                                      {{"exhibit.0.problem", lecture_deck / "problems" / (problem + ".toml")},
                                        {"exhibit.0.basis", basis},
                                        {"exhibit.0.pace", "0.0333333"}})
                                    .back();
@@ -206,7 +160,7 @@ TEST(LecturePages, WeightedResidualsAreThoseOfTheTable) {
 }
 
 TEST(LecturePages, PointsOfCollocationAreThoseThatAreGiven) {
-  const std::filesystem::path file = deck_folder / "05-weighted-residuals.toml";
+  const std::filesystem::path file = lecture_deck / "05-weighted-residuals.toml";
   const auto with = [&](const Changes& changes) { return sheets(file, 1, changes)[0]; };
   // Those of Gauss, (1 -+ 1/sqrt 3)/2.
   const render::Sheet sheet = with({{"exhibit.0.values", "[0.2113248654051871, 0.7886751345948129]"}});
@@ -221,7 +175,7 @@ TEST(LecturePages, PointsOfCollocationAreThoseThatAreGiven) {
 }
 
 TEST(LecturePages, RitzIsRefusedWhereItDoesNotApply) {
-  const std::filesystem::path file = deck_folder / "06-self-adjoint.toml";
+  const std::filesystem::path file = lecture_deck / "06-self-adjoint.toml";
   const auto with = [&](const Changes& changes) { return sheets(file, 1, changes)[0]; };
   const render::Sheet usual = with({{"exhibit.0.eps", "0.1"}});
   EXPECT_EQ(usual.proof.text, "-0.0333333");
@@ -240,7 +194,7 @@ TEST(LecturePages, RitzIsRefusedWhereItDoesNotApply) {
 
 // Other materials, other numbers: the torque of a triangle that is not rotation invariant.
 TEST(LecturePages, FollowTheSceneThatTheyAreGiven) {
-  Options options = page(deck_folder / "09-x-ray.toml");
+  Options options = page(lecture_deck / "09-x-ray.toml");
   options.overrides = {{"body.0.material.model", "linear", "--set"}};
   const Simulation simulation = build_simulation(options);
   render::Sheet sheet;
@@ -261,7 +215,7 @@ TEST(LecturePages, PathsOfNewtonAreThoseOfTheKey) {
     int k = 0;
     for (const sim::Definiteness fix : {sim::Definiteness::none, sim::Definiteness::clamp, sim::Definiteness::abs}) {
       changes.push_back({"solver.definiteness", std::string(sim::name_of(fix))});
-      const Simulation simulation = build_simulation(changed(page(deck_folder / "12-definiteness.toml"), changes));
+      const Simulation simulation = build_simulation(changed(page(lecture_deck / "12-definiteness.toml"), changes));
       sim::State state = simulation.system->initial_state();
       const sim::NewtonPath path = sim::pure_newton(*simulation.system, state.x, fix);
       EXPECT_EQ(path.iterations(), expected[static_cast<std::size_t>(k++)]) << start << sim::name_of(fix);
@@ -281,7 +235,7 @@ TEST(LecturePages, PureNewtonWandersToItsEnd) {
                            {"solver.newton", "pure"},
                            {"solver.definiteness", "none"},
                            {"solver.tolerance", "1e-9"}};
-  const Simulation simulation = build_simulation(changed(page(deck_folder / "12-definiteness.toml"), changes));
+  const Simulation simulation = build_simulation(changed(page(lecture_deck / "12-definiteness.toml"), changes));
   sim::State state = simulation.system->initial_state();
   const sim::NewtonPath path = sim::pure_newton(*simulation.system, state.x, sim::Definiteness::none);
   const sim::StepReport report = sim::make_stepper(*simulation.system, 1)->step(state);
@@ -293,191 +247,11 @@ TEST(LecturePages, PureNewtonWandersToItsEnd) {
 
 TEST(LecturePages, StayAtTheLastMethod) {
   const Changes fast = {{"exhibit.0.pace", "0.0333333"}};
-  const render::Sheet vectors = sheets(deck_folder / "04-five-vectors.toml", 7, fast).back();
+  const render::Sheet vectors = sheets(lecture_deck / "04-five-vectors.toml", 7, fast).back();
   EXPECT_EQ(text_of(vectors, "projection.c11"), "0.6150");
-  const render::Sheet residuals = sheets(deck_folder / "05-weighted-residuals.toml", 18, fast).back();
+  const render::Sheet residuals = sheets(lecture_deck / "05-weighted-residuals.toml", 18, fast).back();
   EXPECT_EQ(residuals.proof.text, "0.008730");
   EXPECT_EQ(text_of(residuals, "ritz.c11"), "-4.6649");
-}
-
-// A page of numbers alone is a scene: explained, run and recorded as any other.
-TEST(LecturePages, NeedNoBody) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder / "scene.toml";
-  write_all(file, "[time]\nseconds = 0.1\n[[exhibit]]\nkind = \"five-vectors\"\n");
-  const Simulation simulation = build_simulation(page(file));
-  EXPECT_EQ(simulation.system->counts().dofs, 0);
-  EXPECT_EQ(simulation.system->dimension(), 2);
-  EXPECT_TRUE(simulation.remarks().empty()) << simulation.remarks()[0];
-  Options options = page(file);
-  EXPECT_EQ(explain(options), exit_done);
-  options.out = folder / "run";
-  EXPECT_EQ(record(options), exit_done);
-  EXPECT_NE(read_all(folder / "run/numbers.csv").find("0,galerkin.energy,"), std::string::npos);
-  // What it was is read again from the folder of the run, with the files that it names.
-  const Simulation again = build_simulation(page(folder / "run/run.toml"));
-  EXPECT_EQ(again.identity, simulation.identity);
-  for (const auto command : {modes, trade, stress}) {
-    options.out = folder / "none";
-    EXPECT_NE(error_of([&] { command(options); }).find("there is no body"), std::string::npos);
-  }
-  write_all(file, "[[exhibit]]\nkind = \"x-ray\"\n");
-  const Simulation without = build_simulation(page(file));
-  const std::string error = error_of([&] { make_exhibits(without.document, without.system); });
-  EXPECT_NE(error.find(":2: exhibit.0.kind"), std::string::npos) << error;
-  EXPECT_NE(error.find("there is none"), std::string::npos) << error;
-}
-
-// The folder of a run has the whole scene, with every key that is the exhibit's and files by their way from there.
-TEST(LecturePages, AreReadAgainAsTheyWereWritten) {
-  const TemporaryFolder folder;
-  for (const std::filesystem::path& file : pages_of(deck_folder)) {
-    SCOPED_TRACE(file.filename());
-    const Simulation simulation = build_simulation(page(file));
-    write_all(folder / "page.toml", scene_toml(simulation.document, folder.path()));
-    EXPECT_EQ(build_simulation(page(folder / "page.toml")).identity, simulation.identity);
-    EXPECT_EQ(sheets(folder / "page.toml", 1)[0].proof.text, sheets(file, 1)[0].proof.text);
-  }
-}
-
-TEST(LecturePages, KeysOfOtherExhibitsAreRefused) {
-  const TemporaryFolder folder;
-  const std::string scene = "[[body]]\nmesh = { rectangle = [1, 1], cells = [1, 1] }\n[[exhibit]]\nkind = \"x-ray\"\n";
-  const auto error = [&](const std::string& more) {
-    write_all(folder / "scene.toml", scene + more);
-    return error_of([&] {
-      const Simulation simulation = build_simulation(page(folder / "scene.toml"));
-      make_exhibits(simulation.document, simulation.system);
-    });
-  };
-  EXPECT_EQ(error(""), "");
-  EXPECT_NE(error("pace = 2.0").find(":5: exhibit.0.pace"), std::string::npos) << error("pace = 2.0");
-  EXPECT_NE(error("element = 7").find(":5: exhibit.0.element"), std::string::npos) << error("element = 7");
-  EXPECT_NE(error("element = 7").find("elements 0 to 1"), std::string::npos);
-}
-
-class LectureRuns : public testing::Test {
- protected:
-  // "frame,name,value,unit" by frame and name.
-  static std::map<std::string, std::string> numbers(const std::filesystem::path& csv) {
-    std::istringstream lines(read_all(csv));
-    std::map<std::string, std::string> all;
-    std::string line;
-    std::getline(lines, line);
-    EXPECT_EQ(line, "frame,name,value,unit");
-    while (std::getline(lines, line)) {
-      const std::size_t a = line.find(','), b = line.find(',', a + 1), c = line.find(',', b + 1);
-      all[line.substr(0, b)] = line.substr(b + 1, c - b - 1);
-    }
-    return all;
-  }
-  // Drags a ring of a diagram and takes a step, with a log. What is seen then is what the replay writes.
-  render::Sheet dragged(const std::string& file, std::size_t diagram, const render::Spot& from,
-                        const render::Spot& to) {
-    Options options = page(deck_folder / file);
-    options.log = folder_ / (file + ".session");
-    constexpr int width = 640, height = 360;
-    Workbench bench(options, std::make_unique<Session>(options));
-    const auto mouse = [&](render::WindowEvent::Kind kind, const render::Spot& at) {
-      render::WindowEvent event{kind};
-      event.x = static_cast<float>(at[0]);
-      event.y = static_cast<float>(at[1]);
-      bench.handle(event, width, height, false);
-    };
-    const render::Diagram shown = bench.frame(width, height).sheet->diagrams[diagram];
-    mouse(render::WindowEvent::Kind::press, render::to_page(shown, from, width, height));
-    mouse(render::WindowEvent::Kind::move, render::to_page(shown, to, width, height));
-    mouse(render::WindowEvent::Kind::release, render::to_page(shown, to, width, height));
-    EXPECT_EQ(bench.message(), "");
-    bench.act(Action::step);
-    const render::Sheet seen = *bench.frame(width, height).sheet;
-    bench.finish();
-    Options again = page(options.scene);
-    again.replay = options.log;
-    again.out = folder_ / (file + ".replayed");
-    EXPECT_EQ(record(again), exit_done);
-    const auto written = numbers(again.out / "numbers.csv");
-    for (const render::Number& number : render::numbers_of(seen)) {
-      const std::string name = "1," + number.name;
-      EXPECT_TRUE(written.contains(name) && written.at(name) == number.text) << name;
-    }
-    return seen;
-  }
-  TemporaryFolder folder_;
-};
-
-TEST_F(LectureRuns, NumbersCsvHoldsWhatTheFramesShow) {
-  Options options = page(deck_folder / "10-force-algorithm.toml");
-  options.out = folder_ / "run";
-  options.overrides = {{"time.seconds", "1.0", "--seconds"}};
-  ASSERT_EQ(run(options), exit_done);
-  const auto written = numbers(folder_ / "run/numbers.csv");
-  std::size_t rows = 0;
-  const std::vector<render::Sheet> shown = sheets(options.scene, 31);
-  for (std::size_t k = 0; k < shown.size(); ++k)
-    for (const render::Number& number : render::numbers_of(shown[k])) {
-      ++rows;
-      const std::string name = std::to_string(k) + "," + number.name;
-      ASSERT_TRUE(written.contains(name)) << name;
-      EXPECT_EQ(written.at(name), number.text) << name;
-    }
-  EXPECT_EQ(written.size(), rows);
-}
-
-// A corner of the x-ray is dragged until the triangle is turned over.
-TEST_F(LectureRuns, ADragIsAnInputOfTheSession) {
-  const render::Sheet seen = dragged("09-x-ray.toml", 1, {0.3, 1.9}, {0.8, -0.9});
-  EXPECT_EQ(text_of(seen, "J")[0], '-') << "the triangle is turned over";
-  EXPECT_EQ(text_of(seen, "Ds12"), "0.600");
-}
-
-TEST_F(LectureRuns, PointsRowsAndEpsAreDragged) {
-  const render::Sheet points = dragged("05-weighted-residuals.toml", 1, {0.5, 0}, {0.25, 0.4});
-  EXPECT_EQ(points.diagrams[1].dots.size(), 1U);
-  EXPECT_NEAR(points.diagrams[1].dots[0].at[0], 0.25, 1e-6);
-  EXPECT_NE(text_of(points, "collocation-own.L2"), text_of(points, "collocation-gauss.L2"));
-  const render::Sheet rows = dragged("04-five-vectors.toml", 0, {33.0 / 201, 0}, {1.0 / 201, 0});
-  EXPECT_NE(text_of(rows, "rows.residual"), "1134.05");
-  const render::Sheet eps = dragged("06-self-adjoint.toml", 1, {0, 0}, {-1, 0});
-  EXPECT_EQ(text_of(eps, "eps"), "0.1000");
-  EXPECT_EQ(text_of(eps, "peclet"), "1.000");
-}
-
-TEST_F(LectureRuns, PagesAreTurned) {
-  Options options = page(deck_folder);
-  options.deck = pages_of(deck_folder);
-  options.scene = options.deck.front();
-  Workbench bench(options, std::make_unique<Session>(options));
-  const auto key = [&](render::Key key) {
-    bench.handle(render::WindowEvent{render::WindowEvent::Kind::key, key}, 320, 180, false);
-  };
-  const std::string first = bench.session().document().title;
-  key(render::Key::page_up);
-  EXPECT_EQ(bench.session().document().title, first) << "there is none before the first";
-  key(render::Key::page_down);
-  EXPECT_EQ(bench.session().document().title, build_simulation(page(options.deck[1])).document.title);
-  for (std::size_t k = 0; k < options.deck.size(); ++k) key(render::Key::page_down);
-  EXPECT_EQ(bench.session().document().title, build_simulation(page(options.deck.back())).document.title);
-  key(render::Key::page_up);
-  EXPECT_EQ(bench.message().substr(0, 10), "Read again");
-}
-
-TEST_F(LectureRuns, AFolderIsRecordedPageByPage) {
-  const std::string scene =
-      "[time]\nseconds = 0.1\nfps = 20\n[[body]]\nmesh = { rectangle = [1, 1], cells = [1, 1] }\n";
-  write_all(folder_ / "deck/2.toml", scene);
-  write_all(folder_ / "deck/1.toml", scene);
-  write_all(folder_ / "deck/README.md", "words");
-  Options options = page(folder_ / "deck");
-  options.out = folder_ / "out";
-  ASSERT_EQ(record(options), exit_done);
-  for (const char* name : {"1", "2"})
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / name / "frames/frame_00002.png"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/README"));
-  options.video = folder_ / "film.mp4";
-  EXPECT_NE(error_of([&] { record(options); }).find("is a folder"), std::string::npos);
-  std::filesystem::create_directory(folder_ / "empty");
-  EXPECT_NE(error_of([&] { pages_of(folder_ / "empty"); }).find("no scene file"), std::string::npos);
 }
 
 }  // namespace

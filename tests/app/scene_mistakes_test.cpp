@@ -10,6 +10,16 @@ struct BadScene {
   std::string message;
 };
 
+// error: of a scene of this text.
+template <class Error>
+void expect_messages(const std::vector<BadScene>& cases, const Error& error) {
+  for (const BadScene& bad : cases) {
+    const std::string message = error(bad.text);
+    EXPECT_NE(message.find(bad.message), std::string::npos)
+        << bad.text << "\ngave: " << message << "\nnot: " << bad.message;
+  }
+}
+
 TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
   const std::vector<BadScene> cases = {
       {"", "scene.toml: 'body' is missing: An elastic body."},
@@ -50,6 +60,12 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {"[look]\nwireframe = 1\n", "scene.toml:2: look.wireframe = 1: must be true or false"},
       {"[look]\nrange = [0, 1, 2]\n", "scene.toml:2: look.range = [0, 1, 2]: must be a list of 2 numbers"},
       {"title = 1979-05-27\n", "scene.toml:1: title = a date or time: must be a string"},
+  };
+  expect_messages(cases, [&](const std::string& text) { return error(text); });
+}
+
+TEST_F(SceneFile, MistakesOfABodyAreNamedWithTheirLine) {
+  const std::vector<BadScene> cases = {
       {body("material = { poisson = 0.6 }\n"), "scene.toml:3: body.0.material.poisson = 0.6: must be in (-1, 0.5)"},
       {body("material = { poisson = 0.5 }\n"), "scene.toml:3: body.0.material.poisson = 0.5: must be in (-1, 0.5)"},
       {body("material = { young = 0 }\n"), "scene.toml:3: body.0.material.young = 0: must be > 0"},
@@ -91,6 +107,12 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
        "scene.toml:3: body.0.pin.0.motion.keyframes.0: '0' is missing: Time of the pose."},
       {body("spin = { axis = [0, 0, 0] }\n"),
        "scene.toml:3: body.0.spin.axis = [0, 0, 0]: must be different from zero"},
+  };
+  expect_messages(cases, [&](const std::string& text) { return error(text); });
+}
+
+TEST_F(SceneFile, MistakesBesideABodyAreNamedWithTheirLine) {
+  const std::vector<BadScene> cases = {
       {body("[time]\nstep = 0.01\nsubsteps = 2\n"), "scene.toml:3: time: can have only one of substeps, step"},
       {body("[[obstacle]]\nfriction = 0.1\n"), "scene.toml:3: obstacle.0: must have exactly one of plane, sphere"},
       {body("[[obstacle]]\nplane = { point = [0, 0, 0] }\n"), "scene.toml:4: obstacle.0.plane: 'normal' is missing"},
@@ -119,11 +141,7 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
       {body("[world]\ngravity = [0, -1]\n"),
        "scene.toml:4: world.gravity = [0, -1]: must have 3 numbers: the scene is 3D"},
   };
-  for (const BadScene& bad : cases) {
-    const std::string message = error(bad.text);
-    EXPECT_NE(message.find(bad.message), std::string::npos)
-        << bad.text << "\ngave: " << message << "\nnot: " << bad.message;
-  }
+  expect_messages(cases, [&](const std::string& text) { return error(text); });
 }
 
 // In the order of the file, whichever way they are found: unknown keys, values, what is missing, what does not fit.
@@ -170,11 +188,7 @@ TEST_F(SceneFile, MistakesInAPlaneScene) {
       {"spin = { axis = [1, 0, 0] }\n", "scene.toml:3: body.0.spin.axis = [1, 0, 0]: must be along [0, 0, 1]"},
       {"[camera]\neye = [0, 0]\n", "scene.toml:4: camera.eye = [0, 0]: is for 3D only, and the scene is 2D"},
   };
-  for (const BadScene& bad : cases) {
-    const std::string message = error(plate + bad.text);
-    EXPECT_NE(message.find(bad.message), std::string::npos)
-        << bad.text << "\ngave: " << message << "\nnot: " << bad.message;
-  }
+  expect_messages(cases, [&](const std::string& text) { return error(plate + text); });
 }
 
 TEST_F(SceneFile, MistakesInTheMesh) {
@@ -205,11 +219,7 @@ TEST_F(SceneFile, MistakesInTheMesh) {
   };
   file("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
   file("bad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n");
-  for (const BadScene& bad : cases) {
-    const std::string message = error("[[body]]\n" + bad.text);
-    EXPECT_NE(message.find(bad.message), std::string::npos)
-        << bad.text << "\ngave: " << message << "\nnot: " << bad.message;
-  }
+  expect_messages(cases, [&](const std::string& text) { return error("[[body]]\n" + text); });
 }
 
 TEST_F(SceneFile, MistakesInOverrides) {

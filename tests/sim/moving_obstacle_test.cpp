@@ -1,92 +1,11 @@
-// Obstacles that are surfaces, and obstacles of every kind that move: nothing passes them, and what they press is
-// reported where it has no room.
-#include <gtest/gtest.h>
-
+// Obstacles of every kind that move: nothing passes them, and what they press is reported where it has no room.
 #include "sim/term/obstacle.h"
-#include "tests/sim/contact_support.h"
-#include "tests/sim/stepping.h"
+#include "tests/sim/obstacle_support.h"
 
 namespace sim {
 namespace {
 
-double lowest(const State& state, const BodyRange& body, int D) {
-  double y = 1e30;
-  for (int node = body.first_node; node < body.first_node + body.node_count; ++node)
-    y = std::min(y, state.x[static_cast<Eigen::Index>(node) * D + 1]);
-  return y;
-}
-double highest(const State& state, const BodyRange& body, int D) {
-  double y = -1e30;
-  for (int node = body.first_node; node < body.first_node + body.node_count; ++node)
-    y = std::max(y, state.x[static_cast<Eigen::Index>(node) * D + 1]);
-  return y;
-}
-
-void steps_without_crossing(const Scene& scene, test::Stepped& run, int count) {
-  for (int k = 0; k < count; ++k) {
-    run.steps(1);
-    ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << "step " << run.state.step;
-  }
-}
-
-// One box of 1 m, and nothing under it yet.
-Scene one_box(int cells = 2) {
-  Scene scene;
-  scene.bodies = {test::box_body("box", {1, 1, 1}, cells, {0, 0.01, 0})};
-  return scene;
-}
-
-TEST(SurfaceObstacle, CarriesTheWeightOfABody) {
-  Scene scene = one_box();
-  scene.obstacles = {test::surface_obstacle(test::box_mesh({4, 1, 4}, {-1.3, -1, -1.4}))};
-  scene.bodies[0].damping.alpha = 5;
-  test::Stepped run(scene);
-  steps_without_crossing(scene, run, 120);
-  const ContactReport report = run.system.contacts(run.state).at(0);
-  EXPECT_NEAR(report.force.y(), 9810, 100);
-  EXPECT_GT(report.gap, 0);
-  EXPECT_LT(report.gap, 1e-3);
-}
-
-// An open surface, a sheet of two triangles, holds from above and from below.
-TEST(SurfaceObstacle, HoldsFromBothSides) {
-  for (const double side : {1.0, -1.0}) {
-    Scene scene = one_box();
-    scene.world.gravity = {0, -9.81 * side, 0};
-    RigidSurface sheet{Eigen::MatrixXd(3, 4), Eigen::MatrixXi(3, 2)};
-    const double y = side > 0 ? 0 : 1.02;
-    sheet.X << -1, 3, 3, -1, y, y, y, y, -2, -2, 2, 2;
-    sheet.faces << 0, 0, 1, 2, 2, 3;
-    Obstacle obstacle;
-    obstacle.shape = sheet;
-    scene.obstacles = {obstacle};
-    test::Stepped run(scene);
-    steps_without_crossing(scene, run, 60);
-    EXPECT_EQ(run.system.contacts(run.state).at(0).pairs > 0, true);
-  }
-}
-
-TEST(SurfaceObstacle, OfLinesInThePlane) {
-  Scene scene;
-  scene.dimension = 2;
-  Body body;
-  body.name = "block";
-  body.mesh = generate_rectangle({1, 1}, {3, 3}, {1, 1}, ElementKind::tri3);
-  translate(body.mesh, {0, 0.5, 0});
-  body.materials = {MaterialSpec{"stable-neo-hookean", 1e5, 0.3, 1000, ""}};
-  body.damping.alpha = 5;
-  scene.bodies = {body};
-  RigidSurface valley{Eigen::MatrixXd(2, 3), Eigen::MatrixXi(2, 2)};
-  valley.X << -2, 0.5, 3, 2, -0.2, 2;
-  valley.faces << 0, 1, 1, 2;
-  Obstacle obstacle;
-  obstacle.shape = valley;
-  scene.obstacles = {obstacle};
-  test::Stepped run(scene);
-  steps_without_crossing(scene, run, 150);
-  EXPECT_GT(lowest(run.state, run.system.bodies()[0], 2), -0.2);
-  EXPECT_NEAR(run.system.contacts(run.state).at(0).force.y(), 9810, 1000);
-}
+using test::highest, test::lowest, test::one_box, test::steps_without_crossing;
 
 // A plate comes down on a box until 0.3 m of it are left, and is taken away: the box stands up again.
 TEST(MovingObstacle, PressesABoxToAThirdAndLetsGo) {
@@ -313,18 +232,6 @@ TEST(MovingObstacle, SchemesThatDoNotLookAreRefused) {
     } catch (const InputError& error) {
       EXPECT_EQ(error.key, "time.integrator");
     }
-  }
-}
-
-TEST(SurfaceObstacle, BodiesThatStartInItAreRefused) {
-  Scene scene = one_box();
-  scene.obstacles = {test::surface_obstacle(test::box_mesh({4, 1, 4}, {-1.3, -0.9, -1.4}))};
-  try {
-    System system(scene);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.key, "obstacle.0");
-    EXPECT_NE(std::string(error.what()).find("\"box\""), std::string::npos) << error.what();
   }
 }
 

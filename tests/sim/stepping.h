@@ -74,6 +74,15 @@ struct Stepped {
       ASSERT_TRUE(last.converged) << "step " << last.step << ", increment " << last.increment;
     }
   }
+  // In how many parts a step was taken at most, over so many frames.
+  std::int64_t most_parts(int frames) {
+    std::int64_t most = 0;
+    for (int k = 0; k < frames * system.steps_per_frame(); ++k) {
+      steps(1);
+      most = std::max(most, state.parts);
+    }
+    return most;
+  }
   double energy() const {  // kinetic and elastic, J
     const Measures now = system.measure(state);
     return now.kinetic + now.elastic;
