@@ -1,6 +1,7 @@
 #include "sim/body/pins.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -70,7 +71,8 @@ Vec3 Pins::rest_of(const Held& pin, std::size_t i) const {
   return X;
 }
 
-std::optional<Pins::Disagreement> Pins::clash_at(double t, const Eigen::VectorXd& node_size, int end) const {
+std::optional<Pins::Disagreement> Pins::clash_at(double t, const Eigen::VectorXd& node_size,
+                                                 const std::vector<int>& shared) const {
   constexpr double rounding = 1e-9;  // of the body's size
   struct Wanted {
     const Held* by;
@@ -82,7 +84,7 @@ std::optional<Pins::Disagreement> Pins::clash_at(double t, const Eigen::VectorXd
     if (t > pin.release) continue;
     const Pose pose(pin.motion, t);
     for (std::size_t i = 0; i < pin.nodes.size(); ++i) {
-      if (pin.nodes[i] >= end) continue;
+      if (!std::binary_search(shared.begin(), shared.end(), pin.nodes[i])) continue;
       const Vec3 position = pose.place(rest_of(pin, i));
       for (const int c : pin.axes) {
         const auto [other, is_first] =
@@ -96,12 +98,25 @@ std::optional<Pins::Disagreement> Pins::clash_at(double t, const Eigen::VectorXd
   return worst;
 }
 
+// Of several pins, before `end`, in rising order.
+std::vector<int> Pins::shared_nodes(int end) const {
+  std::vector<int> all, shared;
+  for (const Held& pin : pins_)
+    std::copy_if(pin.nodes.begin(), pin.nodes.end(), std::back_inserter(all), [&](int node) { return node < end; });
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i] == all[i - 1]) shared.push_back(all[i]);
+  return shared;
+}
+
 std::optional<Pins::Disagreement> Pins::clash(const Eigen::VectorXd& node_size, int end) const {
+  const std::vector<int> shared = shared_nodes(end);
+  if (shared.empty()) return std::nullopt;
   std::set<double> times = {0};
   for (const Held& pin : pins_)
     for (const Keyframe& keyframe : pin.motion) times.insert(keyframe.t);
   for (const double t : times)
-    if (auto found = clash_at(t, node_size, end)) return found;
+    if (auto found = clash_at(t, node_size, shared)) return found;
   return std::nullopt;
 }
 

@@ -52,7 +52,9 @@ class Pins {
     Name name;
   };
   Vec3 rest_of(const Held& pin, std::size_t i) const;
-  std::optional<Disagreement> clash_at(double t, const Eigen::VectorXd& node_size, int end) const;
+  std::vector<int> shared_nodes(int end) const;
+  std::optional<Disagreement> clash_at(double t, const Eigen::VectorXd& node_size,
+                                       const std::vector<int>& shared) const;
 
   int D_ = 3;
   std::vector<Held> pins_;
