@@ -61,6 +61,7 @@ Mass::Mass(const Body& body, const std::vector<double>& density, int first_node)
         consistent_->values[consistent_->pattern.slot(nodes[a], nodes[b])] += m(a, b);
     }
   });
+  total_ = nodal_.sum();
 }
 
 Mass Mass::unit(int first, int count) {

@@ -25,7 +25,7 @@ class Mass {
   int first_node() const { return first_node_; }
   // Mass at each node [kg]: the diagonal when lumped, else the row sums (for weighting, not for solving).
   const Eigen::VectorXd& nodal() const { return nodal_; }
-  double total() const { return nodal_.sum(); }
+  double total() const { return total_; }
 
   // y += s M p for the body's part of vectors with D numbers per node
   void add_product(double s, const Eigen::VectorXd& p, Eigen::VectorXd& y, int D) const;
@@ -43,10 +43,12 @@ class Mass {
     std::vector<double> values;  // kg
     std::vector<int> slot;       // of each entry in the matrix of the system
   };
-  Mass(int first_node, Eigen::VectorXd nodal) : first_node_(first_node), nodal_(std::move(nodal)) {}
+  Mass(int first_node, Eigen::VectorXd nodal)
+      : first_node_(first_node), nodal_(std::move(nodal)), total_(nodal_.sum()) {}
 
   int first_node_;
   Eigen::VectorXd nodal_;
+  double total_ = 0;  // kg
   std::optional<Consistent> consistent_;
   std::vector<int> diagonal_slot_;
 };
