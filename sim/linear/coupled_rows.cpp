@@ -67,7 +67,7 @@ void CoupledRows<D>::make(const FloatMatrix<D>& A, const Eigen::VectorXd& free) 
 }
 
 template <int D>
-double CoupledRows<D>::solve(const Eigen::VectorXd& r) {
+double CoupledRows<D>::solve(const Eigen::Ref<const Eigen::VectorXd>& r) {
   if (rows_.empty()) return 0;
   for (std::size_t k = 0; k < rows_.size(); ++k)
     r_.segment<D>(static_cast<Eigen::Index>(k) * D) = r.segment<D>(static_cast<Eigen::Index>(rows_[k]) * D);

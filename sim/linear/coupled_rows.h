@@ -18,7 +18,7 @@ class CoupledRows {
   bool has(int row) const { return !rows_.empty() && number_[row] >= 0; }
 
   // z = A_CC^-1 r_C on these rows; returns r_C . z.
-  double solve(const Eigen::VectorXd& r);
+  double solve(const Eigen::Ref<const Eigen::VectorXd>& r);
   auto z(int row) const { return z_.template segment<D>(static_cast<Eigen::Index>(number_[row]) * D); }
 
  private:

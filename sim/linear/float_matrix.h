@@ -66,10 +66,11 @@ class FloatMatrix {
   void leave_out(int i, double (&diagonal)[D * D]);
 
   std::vector<int> number_;  // here, of each row there
-  std::vector<int> start_, column_;
-  std::vector<int> source_;  // slot there; ~slot where its transpose is meant
-  std::vector<float> values_;
-  std::vector<Inverse> inverse_;
+  std::vector<int> start_;
+  LargeArray<int> column_;
+  LargeArray<int> source_;  // slot there; ~slot where its transpose is meant
+  LargeArray<float> values_;
+  LargeArray<Inverse> inverse_;
   std::vector<Outside> outside_;
   Eigen::VectorXd free_;
   std::vector<char> touched_;  // row i has a component that is not free, or is coupled with one

@@ -22,15 +22,14 @@ TwoLevel<D>::TwoLevel(const BlockPattern& pattern, const Eigen::VectorXd& X, std
       modes_(aggregates_),
       C_(A_, aggregates_),
       free_(Eigen::VectorXd::Ones(X.size())),
-      x_(X.size()),
-      r_(X.size()),
-      p_(X.size() + 1),
-      Ap_(X.size()),
+      numbers_(4 * X.size() + 1),
+      x_(numbers_.data(), X.size()),
+      r_(x_.data() + X.size(), X.size()),
+      Ap_(r_.data() + X.size(), X.size()),
+      p_(Ap_.data() + X.size(), X.size() + 1),
       coarse_r_(C_.size()),
       coarse_y_(C_.size()),
-      sums_(aggregates_.count()) {
-  p_.setZero();
-}
+      sums_(aggregates_.count()) {}
 
 template <int D>
 void TwoLevel<D>::restrict_to(const Eigen::VectorXd& free) {
@@ -62,13 +61,14 @@ double TwoLevel<D>::iterations_per_coarse() const {
   return 2 + C_.factor_operations() / (4.0 * 2 * D * D * A_.end(A_.rows() - 1));
 }
 
-// x = 0, r = b
+// x = 0, r = b, p = 0, whatever a solve before has left there: numbers that are not finite too.
 template <int D>
 void TwoLevel<D>::start(const Eigen::VectorXd& b, int a) {
   for (int k = aggregates_.start[a]; k < aggregates_.start[a + 1]; ++k) {
     const Eigen::Index at = static_cast<Eigen::Index>(k) * D;
     r_.segment<D>(at) = A_.scale() * b.segment<D>(static_cast<Eigen::Index>(aggregates_.order[k]) * D);
     x_.segment<D>(at).setZero();
+    p_.segment<D>(at).setZero();
   }
   residual_sums(a);
 }

@@ -48,8 +48,9 @@ class TwoLevel final : public BlockSystem {
   CoarseMatrix<D> C_;
   CoupledRows<D> coupled_;
   bool coarse_ready_ = false;
-  Eigen::VectorXd free_;  // in the order of the aggregates, as are the next four
-  Eigen::VectorXd x_, r_, p_, Ap_;
+  Eigen::VectorXd free_;  // in the order of the aggregates, as are x, r, A p and p
+  LargeArray<double> numbers_;
+  Eigen::Map<Eigen::VectorXd> x_, r_, Ap_, p_;  // in numbers_, one after the other
   Eigen::VectorXd coarse_r_, coarse_y_;
   std::vector<Sums> sums_;  // of each aggregate
 };

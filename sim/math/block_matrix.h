@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/math/large_array.h"
+
 namespace sim {
 
 // Two nodes, i < j.
@@ -53,8 +55,8 @@ class BlockMatrix {
 
   const BlockPattern& pattern() const { return *pattern_; }
   int D() const { return D_; }
-  std::vector<double>& values() { return values_; }
-  const std::vector<double>& values() const { return values_; }
+  LargeArray<double>& values() { return values_; }
+  const LargeArray<double>& values() const { return values_; }
   double* block(int slot) { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }  // row-major
   const double* block(int slot) const { return values_.data() + static_cast<std::size_t>(slot) * D_ * D_; }
 
@@ -74,7 +76,7 @@ class BlockMatrix {
  private:
   const BlockPattern* pattern_;
   int D_;
-  std::vector<double> values_;
+  LargeArray<double> values_;
   std::vector<NodePair> outside_;
   std::vector<double> outside_values_;
 };

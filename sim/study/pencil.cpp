@@ -51,7 +51,7 @@ Pencil::Pencil(const System& system) {
 
 PencilFactor::PencilFactor(const System& system, double shift) {
   WholePencil whole(parts_of(system).model);
-  std::vector<double>& K = whole.stiffness.values();
+  LargeArray<double>& K = whole.stiffness.values();
   for (std::size_t k = 0; k < K.size(); ++k) K[k] += shift * whole.mass.values()[k];
   for (Eigen::Index i = 0; i < whole.free.size(); ++i)
     if (whole.free[i] != 0) free_.push_back(i);

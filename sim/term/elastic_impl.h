@@ -25,8 +25,8 @@ class ElasticBlock : public ElasticTerm {
   using Point = Tangent<Lanes, D, M>;
 
   struct Tangents : Store {
-    std::vector<Point> tangent;   // [batch][Q]
-    std::vector<Lanes> energies;  // [batch]; J in smallest_J
+    LargeArray<Point> tangent;   // [batch][Q]
+    LargeArray<Lanes> energies;  // [batch]; J in smallest_J
   };
   static Tangents& own(Store& store) { return static_cast<Tangents&>(store); }
   static const Tangents& own(const Store& store) { return static_cast<const Tangents&>(store); }

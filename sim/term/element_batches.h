@@ -20,13 +20,13 @@ template <class Element, int D>
 struct ElementBatches {
   static constexpr int N = Element::nodes, M = Element::dimension, Q = static_cast<int>(Element::rule.size());
 
-  std::vector<int> element;     // per batch and lane: number in the body's mesh; the last batch repeats its last one
-  int count = 0;                // elements (the lanes beyond hold weight 0 and are not scattered)
-  std::vector<int> node;        // [batch][N][lane], node numbers of the system, rising within an element
-  std::vector<Lanes> gradient;  // [batch][Q][N-1][M]: G of nodes 1...N-1 [1/m]; node 0 has minus their sum
-  std::vector<Lanes> weight;    // [batch][Q]: w = quadrature weight x rest measure x thickness [m^3]
+  std::vector<int> element;    // per batch and lane: number in the body's mesh; the last batch repeats its last one
+  int count = 0;               // elements (the lanes beyond hold weight 0 and are not scattered)
+  LargeArray<int> node;        // [batch][N][lane], node numbers of the system, rising within an element
+  LargeArray<Lanes> gradient;  // [batch][Q][N-1][M]: G of nodes 1...N-1 [1/m]; node 0 has minus their sum
+  LargeArray<Lanes> weight;    // [batch][Q]: w = quadrature weight x rest measure x thickness [m^3]
   std::vector<Mat<Lanes, D, D>> frame;  // [batch][Q]: rest tangents, then the normal, in columns; only where asked for
-  std::vector<int> slot;                // [element][a <= b]: blocks of the matrix; empty where there is none
+  LargeArray<int> slot;                 // [element][a <= b]: blocks of the matrix; empty where there is none
   std::unique_ptr<Chunks> chunks;
 
   int batch_count() const { return static_cast<int>(weight.size()) / Q; }

@@ -23,7 +23,7 @@ TEST(FloatMatrix, IsTheMatrixToItsRoundOff) {
 // Pairs that no element couples, as contact has them; here a stiff spring between far nodes.
 void add_springs(Bent& body) {
   const int D = body.model.D, last = body.model.node_count - 1;
-  const std::vector<double> values = body.A.values();
+  const auto values = body.A.values();
   std::vector<NodePair> pairs = {{0, last}, {2, last}, {0, last - 1}};
   body.A.set_zero(pairs);
   body.A.values() = values;
