@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/base/folder.h"
 #include "app/base/output_file.h"
 #include "app/base/text.h"
 #include "render/compare.h"
@@ -44,7 +45,8 @@ std::string size_text(int width, int height) {
 
 Expectation::Expectation(const Options& options, const RunFolder& folder)
     : stored_(options.expect), folder_(folder), tolerated_(options.expect_difference), share_(options.expect_share) {
-  if (!fs::is_directory(stored_)) throw std::runtime_error("--expect " + stored_.string() + ": is not a folder");
+  if (const std::string why = why_no_folder(stored_); !why.empty())
+    throw std::runtime_error("--expect " + stored_.string() + ": " + why);
   if (fs::exists(folder_.frames()) && fs::equivalent(stored_, folder_.frames())) {
     throw std::runtime_error("--expect " + stored_.string() +
                              ": is where this run writes its own frames; compare with frames that are kept elsewhere");

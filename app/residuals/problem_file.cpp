@@ -200,6 +200,7 @@ class Reader {
 ProblemFile read_problem(const std::filesystem::path& path) {
   std::error_code none;
   std::ifstream in(path, std::ios::binary);
+  if (!std::filesystem::exists(path, none)) refuse(path.string(), "there is no such file");
   if (!in || std::filesystem::is_directory(path, none)) refuse(path.string(), "cannot be read: must be a problem file");
   return read_problem(std::string(std::istreambuf_iterator<char>(in), {}), path);
 }

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/base/folder.h"
 #include "app/base/output_file.h"
 #include "app/base/text.h"
 
@@ -22,7 +23,9 @@ bool is_numbered(const std::string& name) {
 RunFolder::RunFolder(fs::path folder, Existing existing) : folder_(std::move(folder)) {
   if (existing == Existing::resume) {
     if (fs::exists(state())) return;
-    throw std::runtime_error(folder_.string() + ": holds no state.bin, so there is nothing to resume");
+    const std::string why = why_no_folder(folder_);
+    throw std::runtime_error(folder_.string() + ": " + (why.empty() ? "holds no state.bin" : why) +
+                             ", so there is nothing to resume");
   }
   if (existing == Existing::overwrite) return;
   const std::vector<fs::path> earlier = files_of_a_run();

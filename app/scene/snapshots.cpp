@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/base/folder.h"
 #include "app/mesh/contents.h"
 #include "app/mesh/error.h"
 #include "app/mesh/vtu.h"
@@ -14,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> vtu_files(const fs::path& run) {
+  if (const std::string why = why_no_folder(run); !why.empty()) throw FileError(run.string() + ": " + why);
   std::vector<fs::path> files;
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(run / "vtu", none))

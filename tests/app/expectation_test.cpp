@@ -95,7 +95,7 @@ TEST_F(Expect, AnotherSizeIsToldBeforeTheFirstStep) {
 TEST_F(Expect, WhatCannotBeComparedIsSaid) {
   Options nowhere = expecting("a");
   nowhere.expect = folder_ / "nowhere";
-  EXPECT_NE(error_of([&] { record(nowhere); }).find("is not a folder"), std::string::npos);
+  EXPECT_NE(error_of([&] { record(nowhere); }).find("there is no such folder"), std::string::npos);
   fs::create_directory(folder_ / "empty");
   nowhere.expect = folder_ / "empty";
   EXPECT_NE(error_of([&] { record(nowhere); }).find("holds no frame_NNNNN.png"), std::string::npos);
