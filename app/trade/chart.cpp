@@ -49,7 +49,7 @@ class Maker {
 
   std::vector<Line> lines() const {
     std::map<std::string, Line> schemes;
-    Line meshes{"other meshes", {black, 1, 1}, false, 1, {}}, rest{"other settings", {black, 2, 1}, false, 0.7, {}};
+    Line meshes{"other meshes", mesh_ink, false, 1, {}}, rest{"other settings", setting_ink, false, 0.7, {}};
     for (const Score* score : diagram_.scores) {
       const TradeCase& which = score->run->which;
       const bool steps = which.axis == Axis::time || which.axis == Axis::reference;
@@ -121,9 +121,9 @@ class Maker {
     };
     const auto own =
         std::ranges::find_if(diagram_.scores, [](const Score* s) { return s->run->which.settings.empty(); });
-    if (own != diagram_.scores.end()) add(*own, "the scene", {black, 5, 1}, 2);
-    if (diagram_.advised) add(diagram_.advised, "advice", {red, 6, 1}, 3);
-    add(diagram_.found, "", {red, 2, 1}, 2);
+    if (own != diagram_.scores.end()) add(*own, "the scene", scene_ink, 2);
+    if (diagram_.advised) add(diagram_.advised, "advice", advice_ink, 3);
+    add(diagram_.found, "check", check_ink, 2);
   }
 
   const Diagram& diagram_;
@@ -171,7 +171,7 @@ void settle_ranges(Chart& chart) {
 }
 
 const char* name_of(ErrorShown shown) {
-  return shown == ErrorShown::total ? "error, against the finest mesh" : "time error on the mesh of the scene";
+  return shown == ErrorShown::total ? "error against the finest mesh" : "time error on the mesh of the scene";
 }
 
 }  // namespace
@@ -183,7 +183,8 @@ bool has_errors(const Diagram& diagram, ErrorShown shown) {
 
 Chart make_chart(const Diagram& diagram, ErrorShown shown) {
   const Maker maker(diagram, shown);
-  Chart chart{diagram.name, name_of(shown), maker.lines(), maker.front(), maker.failures(), {}, {}};
+  Chart chart{diagram.name, name_of(shown), maker.lines(), maker.front(), maker.failures(), {}, {}, {}};
+  if (diagram.advised) chart.advice = diagram.advised->run->which.label;
   chart.floor = maker.floor();
   chart.pixels = maker.pixels_per_percent();
   if (diagram.goal.kind == Goal::Kind::error) chart.target = percent_of * diagram.goal.value;
@@ -195,7 +196,7 @@ Chart make_chart(const Diagram& diagram, ErrorShown shown) {
 
 Chart make_chart(const std::vector<Diagram>& diagrams, ErrorShown shown) {
   if (diagrams.size() == 1) return make_chart(diagrams.front(), shown);
-  const Ink own[] = {{blue, 7, 1}, {red, 5, 2}, {black, 9, 3}};
+  const Ink own[] = {ink_of("tr-bdf2"), ink_of("backward-euler"), ink_of("sdirk2")};
   Chart chart;
   chart.error_name = name_of(shown);
   for (std::size_t k = 0; k < diagrams.size(); ++k) {

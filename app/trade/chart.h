@@ -56,6 +56,7 @@ struct Chart {
   std::vector<Line> lines;  // those in front last; the scene as it is, advice and its check among them
   std::vector<Dot> front;
   std::vector<Failure> failures;
+  std::string advice;  // the settings that are advised
   AxisRange seconds, error;
   double floor = 0;               // %: below it nothing can be told
   double pixels = 0;              // for each percent, about

@@ -10,6 +10,8 @@
 namespace app {
 namespace {
 
+constexpr const char* front_style = "lw 14 lc rgb '#ffd880'";
+
 std::string data_block(const std::string& name, const std::vector<Dot>& dots) {
   std::string text = name + " << EOD\n";
   for (const Dot& dot : dots) {
@@ -21,9 +23,24 @@ std::string data_block(const std::string& name, const std::vector<Dot>& dots) {
   return text + "EOD\n";
 }
 
-std::string style(const Line& line) {
-  return formatted("%s pt %d ps %.1f lw 3 dt %d lc rgb '%s'", line.joined ? "linespoints" : "points", line.ink.point,
-                   1.6 * line.size, line.ink.dashes, line.ink.colour.c_str());
+// The layers of a mark from below, as gnuplot says them: of closed ones the inside, the edge, the white middle of
+// hollow ones; of crosses with an edge a broad one below a narrow one.
+std::vector<std::string> mark_layers(const Ink& ink, double size) {
+  constexpr double points = 2.8, edge = 3;  // of gnuplot
+  const auto layer = [&](int mark, double part, double width, const char* colour) {
+    return formatted("pt %d ps %.2f lw %.1f lc rgb '%s'", mark, part * points * size, width, colour);
+  };
+  if (std::string_view(ink.dark) == ink.bright) return {layer(ink.mark, 0.6, edge, ink.dark)};
+  if (ink.mark <= 3) return {layer(ink.mark, 1, 3 * edge, ink.dark), layer(ink.mark, 0.9, edge, ink.bright)};
+  // Open marks have the number before that of closed ones.
+  std::vector<std::string> layers = {layer(ink.mark, 1, 1, ink.bright), layer(ink.mark - 1, 1, edge, ink.dark)};
+  if (ink.hollow) layers.push_back(layer(ink.mark, 0.35, 1, "#ffffff"));
+  return layers;
+}
+
+// A dark line, and on it a bright one with the dashes.
+std::vector<std::string> line_layers(const Ink& ink) {
+  return {formatted("lw 6 dt 1 lc rgb '%s'", ink.dark), formatted("lw 3 dt %d lc rgb '%s'", ink.dashes, ink.bright)};
 }
 
 std::string font(double height) {
@@ -39,7 +56,9 @@ std::string tics(const char* axis, const AxisRange& range) {
   const double decades = std::log10(range.high / range.low);
   const std::vector<double> digits = decades > 2.2   ? std::vector<double>{1}
                                      : decades > 0.9 ? std::vector<double>{1, 2, 5}
-                                                     : std::vector<double>{1, 2, 3, 4, 5, 6, 8};
+                                     : decades > 0.4
+                                         ? std::vector<double>{1, 2, 3, 4, 5, 6, 8}
+                                         : std::vector<double>{1, 1.2, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9};
   std::string text = std::string("set ") + axis + "tics nomirror (";
   bool first = true;
   for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10)
@@ -57,15 +76,12 @@ std::string axes(const Chart& chart) {
       "set lmargin at screen %.4f\nset rmargin at screen %.4f\nset bmargin at screen %.4f\nset tmargin at "
       "screen %.4f\n",
       axes_left / chart_width, axes_right / chart_width, axes_below / chart_height, axes_above / chart_height);
-  text += "set ylabel '% of the size' offset 0.5,0\n";
-  text += tics("x", chart.seconds) + tics("y", chart.error) + "set grid lc rgb '#cccccc' lw 1 dt 1\n";
+  text += tics("x", chart.seconds) + tics("y", chart.error) + "set grid lc rgb '#cccccc' lw 1 dt 1\nunset key\n";
   if (chart.pixels > 0) {
     const AxisRange pixels{chart.pixels * chart.error.low, chart.pixels * chart.error.high};
-    text += "set logscale y2\n" + tics("y2", pixels) + "set y2label 'pixels at 1080p' offset -2.2,0\n" +
-            range("y2", pixels);
+    text += "set logscale y2\n" + tics("y2", pixels) + range("y2", pixels);
   }
-  return text + "set key at screen 0.998,0.87 right top Left reverse noenhanced samplen 1.2 spacing 1.1 " +
-         font(small_letters) + "\n";
+  return text;
 }
 
 // What lies behind the lines: where nothing can be told, real time, the budget, the target.
@@ -95,17 +111,61 @@ std::string written(const PlacedText& text) {
          font(text.large ? large_letters : small_letters) + "\n";
 }
 
-std::string failures(const Chart& chart) {
-  constexpr std::size_t most = 2, letters = 100;
+// Names of the axes above their ends, so that they stand upright and clear of the numbers.
+std::string headings(const Chart& chart) {
+  constexpr double title = 75, names = 27, end_of_pixels = 950;  // pixels above the axes; from the left
+  const std::string seconds = "seconds of computing for a simulated second", pixels = "pixels at 1080p";
+  std::string text =
+      written({axes_left, axes_above + title, fitting(chart.title, true, chart_width - axes_left - 10), true, black}) +
+      written({axes_left - 60, axes_above + names, "% of the size: " + chart.error_name, false, black}) +
+      written({(axes_left + axes_right - text_width(seconds, false)) / 2, axes_below - 62, seconds, false, black});
+  if (chart.pixels > 0)
+    text += written({end_of_pixels - text_width(pixels, false), axes_above + names, pixels, false, black});
+  return text;
+}
+
+// The names of the lines, each beside its line and mark.
+std::string legend(const Chart& chart) {
+  constexpr double left = 970, middle = 994, right = 1018, text_left = 1028, spacing = 32;  // pixels
+  double y = axes_above - 12;
+  const auto line = [&](const std::string& style) {
+    return formatted("set arrow from screen %.4f, screen %.4f to screen %.4f, screen %.4f nohead front %s\n",
+                     left / chart_width, y / chart_height, right / chart_width, y / chart_height, style.c_str());
+  };
   std::string text;
+  const auto row = [&](const std::string& name, const std::string& drawn) {
+    text += drawn + written({text_left, y, fitting(name, false, chart_width - text_left), false, black});
+    y -= spacing;
+  };
+  if (!chart.front.empty()) row("front", line(front_style));
+  for (const Line& one : chart.lines) {
+    if (one.title.empty()) continue;
+    std::string drawn;
+    if (one.joined)
+      for (const std::string& style : line_layers(one.ink)) drawn += line(style);
+    for (const std::string& style : mark_layers(one.ink, one.size))
+      drawn += formatted("set label '' at screen %.4f, screen %.4f point %s front\n", middle / chart_width,
+                         y / chart_height, style.c_str());
+    row(one.title, drawn);
+  }
+  return text;
+}
+
+// What is advised; what failed: marked at the upper margin, the cause below the picture.
+std::string footing(const Chart& chart) {
+  constexpr std::size_t most = 2;
+  constexpr double left = 20, spacing = 26, first = 66;  // pixels
+  std::string text;
+  if (!chart.advice.empty())
+    text += written({left, first, fitting("advice: " + chart.advice, false, chart_width - 2 * left), false, red});
   for (const Failure& failure : chart.failures)
     text += formatted("set label '' at first %.6g, graph 0.97 point pt 2 ps 2 lw 4 lc rgb '%s' front\n",
                       failure.seconds, red);
   for (std::size_t k = 0; k < chart.failures.size() && k < most; ++k) {
-    std::string cause = "x " + chart.failures[k].text.substr(0, letters);
+    std::string cause = "x " + chart.failures[k].text;
     if (k + 1 == most && chart.failures.size() > most)
       cause = formatted("x %zu settings failed, listed in the table", chart.failures.size() - 1);
-    text += written({20, 42 - 26 * double(k), cause, false, red});
+    text += written({left, first - spacing * double(k + 1), fitting(cause, false, chart_width - 2 * left), false, red});
   }
   return text;
 }
@@ -120,30 +180,39 @@ std::string triangle(const SlopeTriangle& t) {
          side(t.seconds, top, right, t.error);
 }
 
+std::string lead(const Leader& l) {
+  return formatted(
+      "set arrow from screen %.4f, screen %.4f to screen %.4f, screen %.4f nohead lw 2 lc rgb '%s' front\n",
+      l.x0 / chart_width, l.y0 / chart_height, l.x1 / chart_width, l.y1 / chart_height, l.colour.c_str());
+}
+
 }  // namespace
 
 std::string plot_script(const Chart& chart, const std::filesystem::path& base) {
-  std::string data, plot;
+  std::string data;
+  std::vector<std::string> lines, marks;  // marks lie on all lines
   if (!chart.front.empty()) {
     data += data_block("$front", chart.front);
-    plot += "plot $front using 1:2 with lines lw 14 lc rgb '#ffd880' title 'front'";
+    lines.push_back(std::string("$front using 1:2 with lines ") + front_style);
   }
   int block = 0;
   for (const Line& line : chart.lines) {
     const std::string name = "$line" + std::to_string(++block);
     data += data_block(name, line.dots);
-    plot += (plot.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 with " + style(line) +
-            (line.title.empty() ? " notitle" : " title " + gnuplot_quoted(line.title));
+    if (line.joined)
+      for (const std::string& style : line_layers(line.ink)) lines.push_back(name + " using 1:2 with lines " + style);
+    for (const std::string& style : mark_layers(line.ink, line.size))
+      marks.push_back(name + " using 1:2 with points " + style);
   }
-  if (plot.empty()) return "# nothing was measured that could be drawn\n";
+  lines.insert(lines.end(), marks.begin(), marks.end());
+  if (lines.empty()) return "# nothing was measured that could be drawn\n";
+  std::string drawing = axes(chart) + behind(chart) + footing(chart) + headings(chart) + legend(chart);
   const ChartLayout layout = lay_out(chart);
-  std::string drawing = axes(chart) + behind(chart) + failures(chart);
-  drawing += written({axes_left, axes_above + 60, chart.title, true, black});
-  drawing += written({axes_left, axes_above + 22, chart.error_name, false, black});
-  drawing += written({axes_left + 60, 84, "seconds of computing for a simulated second", true, black});
   for (const PlacedText& text : layout.texts) drawing += written(text);
+  for (const Leader& leader : layout.leaders) drawing += lead(leader);
   for (const SlopeTriangle& t : layout.triangles) drawing += triangle(t);
-  drawing += plot + "\n";
+  for (const std::string& part : lines) drawing += (&part == &lines.front() ? "plot " : ", \\\n  ") + part;
+  drawing += "\n";
   // Letters are given in pixels: those of SVG are, those of the other are points of 4/3 of a pixel.
   const auto picture = [&](const std::string& terminal, const std::string& extension) {
     return "reset\nset terminal " + terminal +
