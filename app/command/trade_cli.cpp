@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 // Runs beside each other, as pictures.
-void add_show_options(CLI::App& command, Options& options) {
+CLI::Option* add_show_options(CLI::App& command, Options& options) {
   CLI::Option* const show =
       command
           .add_option(
@@ -26,6 +26,7 @@ void add_show_options(CLI::App& command, Options& options) {
     options.trade.show = show->count() > 0;
     std::erase(options.trade.show_names, "");
   });
+  return show;
 }
 
 }  // namespace
@@ -46,15 +47,25 @@ void add_trade_options(CLI::App& command, Options& all) {
       ->type_name("TIME")
       ->excludes(target);
   command.add_flag("--keep-mesh", options.keep_mesh, "Try no other mesh: --target bounds the time error");
+  CLI::Option* const show = add_show_options(command, all);
+  CLI::Option* const ablate = command.add_flag("--ablate", options.ablate,
+                                               "Remove one feature of the scene at a time: what it costs and changes");
   add_named(command, "--compare", options.compare, "A second scene, or settings over this one, on the same diagram",
-            "FILE");
-  CLI::Option* const jobs = command.add_flag("--jobs", options.jobs, "List the cases that can be run independently");
-  CLI::Option* const one = add_named(command, "--case", options.one_case, "Run one of them", "K")->excludes(jobs);
+            "FILE")
+      ->excludes(show)
+      ->excludes(ablate);
+  CLI::Option* const jobs = command.add_flag("--jobs", options.jobs, "List the cases that can be run independently")
+                                ->excludes(show)
+                                ->excludes(ablate);
+  CLI::Option* const one = add_named(command, "--case", options.one_case, "Run one of them", "K")
+                               ->excludes(jobs)
+                               ->excludes(show)
+                               ->excludes(ablate);
   command.add_flag("--collect", options.collect, "Table and advice from the cases that were run")
       ->excludes(jobs)
-      ->excludes(one);
-  command.add_flag("--ablate", options.ablate, "Remove one feature of the scene at a time: what it costs and changes");
-  add_show_options(command, all);
+      ->excludes(one)
+      ->excludes(ablate)
+      ->excludes("--compare");
 }
 
 }  // namespace app

@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "app/base/exit_code.h"
+#include "app/base/folder.h"
 #include "app/command/commands.h"
+#include "app/record/video.h"
 #include "app/scene/scene_items.h"
 #include "app/trade/ablate.h"
 #include "app/trade/trade.h"
@@ -102,11 +104,15 @@ int compare(const Options& options) {
 }  // namespace
 
 int trade(const Options& options) {
+  // What can be seen to be wrong now is not found after minutes of measuring.
+  if (!options.video.empty() && !options.still) require_video_name(options.video, options.overwrite);
   if (options.trade.jobs) return list_jobs(options);
   if (options.trade.one_case) return run_one(options);
   if (options.trade.ablate) return ablate(options);
   if (!options.trade.compare.empty()) return compare(options);
   const std::filesystem::path folder = trade_folder(options);
+  if (const std::string why = why_no_folder(folder); options.trade.collect && !why.empty())
+    throw std::runtime_error(folder.string() + ": " + why + ", so there is nothing to collect");
   const Interrupt interrupt;
   Trade trade(options, folder, trade_seconds(options.trade), interrupt);
   if (options.trade.collect) {

@@ -70,14 +70,17 @@ std::string video_command(const std::filesystem::path& frames, const std::filesy
   return command + " '" + file.string() + "'";
 }
 
+void require_video_name(const std::filesystem::path& file, bool overwrite) {
+  const std::string option = "--video " + file.string();
+  if (file.extension() != ".mp4" && !is_gif(file))
+    throw std::runtime_error(option + ": the name of the video must end in .mp4 or .gif");
+  if (!overwrite && std::filesystem::exists(file))
+    throw std::runtime_error(option + ": exists already; choose another name or add --overwrite");
+  if (std::filesystem::is_directory(file)) throw std::runtime_error(option + ": is a folder");
+}
+
 Video::Video(std::filesystem::path file, const VideoFormat& format, bool overwrite) : file_(std::move(file)) {
-  if (file_.extension() != ".mp4" && !is_gif(file_)) {
-    throw std::runtime_error("--video " + file_.string() + ": the name of the video must end in .mp4 or .gif");
-  }
-  if (!overwrite && std::filesystem::exists(file_)) {
-    throw std::runtime_error("--video " + file_.string() + ": exists already; choose another name or add --overwrite");
-  }
-  if (std::filesystem::is_directory(file_)) throw std::runtime_error("--video " + file_.string() + ": is a folder");
+  require_video_name(file_, overwrite);
   if (file_.has_parent_path()) make_folder(file_.parent_path());
   start(format);
 }

@@ -16,10 +16,13 @@ struct VideoFormat {
   int every = 1;              // ... over this
 };
 
+// Throws std::runtime_error when the file's name does not end in .mp4 or .gif, and when it exists and may not be
+// overwritten.
+void require_video_name(const std::filesystem::path& file, bool overwrite);
+
 class Video {
  public:
-  // Starts ffmpeg. Throws std::runtime_error when it is not installed (with the command to run by hand), when the
-  // file's name does not end in .mp4, and when the file exists and may not be overwritten.
+  // Starts ffmpeg. Throws std::runtime_error when it is not installed (with the command to run by hand), and as above.
   Video(std::filesystem::path file, const VideoFormat& format, bool overwrite);
   // Ends the video where it is, without a word: call finish() to learn whether it is whole.
   ~Video();

@@ -110,10 +110,10 @@ int ablate(const Options& options) {
   const Interrupt interrupt;
   Comparison comparison = make_comparison(options);
   const std::filesystem::path folder = trade_folder(options);
-  Notebook notebook(comparison, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
-                    interrupt);
   const std::vector<TradeCase> cases =
       named_features(without_features(comparison.scene.document), options.trade.show_names);
+  Notebook notebook(comparison, folder / "cases", trade_seconds(options.trade), options.quiet ? nullptr : &std::cerr,
+                    interrupt);
   try {
     settle_stretch(comparison, notebook, cases.size() + 1);
     const CaseRun& whole = notebook.run(scene_case(), notebook.left());

@@ -14,8 +14,9 @@ namespace app {
 class Measurement {
  public:
   // `comparison`: its stretch is settled by the plan.
-  Measurement(Comparison& comparison, Notebook& notebook, Scorer& scorer, Goal goal)
-      : comparison(comparison), notebook(notebook), scorer(scorer), goal(std::move(goal)) {}
+  // `named`: cases that are run in any case.
+  Measurement(Comparison& comparison, Notebook& notebook, Scorer& scorer, Goal goal, std::vector<TradeCase> named)
+      : comparison(comparison), notebook(notebook), scorer(scorer), goal(std::move(goal)), named(std::move(named)) {}
 
   void note(const std::string& text);
   // Every run that has been scored, at what it costs by the counts and times that are known now.
@@ -27,6 +28,7 @@ class Measurement {
   Notebook& notebook;
   Scorer& scorer;
   const Goal goal;
+  const std::vector<TradeCase> named;
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> spent;  // s, by phase
   TimedKinds timed_anew;

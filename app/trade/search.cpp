@@ -63,6 +63,7 @@ void Search::go(const std::optional<Plan>& plan) {
   if (const std::string names = schemes_that_do_not_serve(m_.scene()); !names.empty())
     m_.note("not tried, as they cannot keep bodies off each other and off obstacles: " + names);
   m_.notebook.run(scene_case(), time_share * m_.notebook.left());
+  for (const TradeCase& which : m_.named) m_.notebook.run(which, time_share * m_.notebook.left());
   if (plan || m_.goal.kind == Goal::Kind::knee ? !ladder() : !aimed()) return;
   tell_what_is_below();
   MeshSearch meshes(m_, mesh_time_);

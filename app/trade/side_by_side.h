@@ -17,9 +17,9 @@ struct Shown {
   const CaseRun* run = nullptr;
 };
 
-// Reference, scene as it is, advice, and the runs of these names: as the table has them, or any part that only one has.
-// Throws std::runtime_error where no run, or more than one, is called so.
-std::vector<Shown> choose_shown(Measurement& measurement, const Advice& advice, const std::vector<std::string>& names);
+// Reference, scene as it is, advice, and the cases that are named; why one of these is not drawn is noted. Throws
+// std::runtime_error where there is no reference.
+std::vector<Shown> choose_shown(Measurement& measurement, const Advice& advice);
 
 // Pixels at 1080p from the first run, of every node in every compared frame: one vector a frame.
 std::vector<Eigen::VectorXd> pixels_apart(const Comparison& comparison, const CaseRun& run, const CaseRun& reference);

@@ -10,6 +10,7 @@
 #include "app/base/text.h"
 #include "app/base/version.h"
 #include "app/trade/advice.h"
+#include "app/trade/named_cases.h"
 #include "app/trade/side_by_side.h"
 #include "app/trade/table.h"
 
@@ -61,10 +62,11 @@ Trade::Trade(const Options& options, std::filesystem::path folder, double second
       folder_(std::move(folder)),
       comparison_(make_comparison(options)),
       goal_(read_goal(options.trade, comparison_.scene.document.scene.time)),
+      named_(named_cases(comparison_, folder_)),
       notebook_(comparison_, cases_folder(options, folder_, comparison_.scene.identity), seconds,
                 options.quiet ? nullptr : &std::cerr, interrupt),
       scorer_(comparison_),
-      measurement_(comparison_, notebook_, scorer_, goal_),
+      measurement_(comparison_, notebook_, scorer_, goal_, named_),
       search_(measurement_, folder_) {
   notebook_.on_change([this] { write_csv(); });
 }
@@ -120,7 +122,7 @@ void draw(const std::vector<Diagram>& diagrams, const std::filesystem::path& bas
 }
 
 void Trade::show(const Advice& advice, const Interrupt& interrupt) {
-  const std::vector<Shown> shown = choose_shown(measurement_, advice, options_.trade.show_names);
+  const std::vector<Shown> shown = choose_shown(measurement_, advice);
   const std::filesystem::path folder = folder_ / "show";
   draw_side_by_side(comparison_, shown, options_, folder, scorer_.references().check.frames, interrupt);
   const bool video = !options_.video.empty() && !options_.still;

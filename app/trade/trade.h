@@ -44,6 +44,7 @@ class Trade {
   std::filesystem::path folder_;
   Comparison comparison_;
   Goal goal_;
+  std::vector<TradeCase> named_;  // refused before the folder is touched
   Notebook notebook_;
   Scorer scorer_;
   Measurement measurement_;

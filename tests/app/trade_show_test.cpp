@@ -72,14 +72,61 @@ TEST_F(TradeShow, DrawsTheFrameInWhichTheyDifferMost) {
     return pixels;
   };
   EXPECT_NE(column(0, true), column(image.width / 160 - 1, true));
-  // A name that none has, and one that several have, is an error that lists what there is.
-  for (const char* wrong : {"backward-elastic", "tr-bdf2"}) {
-    still.trade.show_names = {wrong};
-    testing::internal::CaptureStdout();
-    const std::string error = error_of([&] { trade(still); });
-    testing::internal::GetCapturedStdout();
-    EXPECT_NE(error.find(std::string("--show ") + wrong), std::string::npos) << error;
-  }
+}
+
+// A name that none has, and one that several have, is an error that lists what there is, before anything is run or
+// written: in a new folder, over what lies in one, and of what is collected there.
+TEST_F(TradeShow, RefusesWrongNamesBeforeAnythingIsWritten) {
+  Options wrong = shown();
+  const auto refused = [&](const char* name) {
+    wrong.trade.show_names = {name};
+    const std::string error = error_of([&] { trade(wrong); });
+    EXPECT_NE(error.find(std::string("--show ") + name + ": "), std::string::npos) << error;
+    return error;
+  };
+  EXPECT_NE(refused("backward-elastic").find("there are: "), std::string::npos);
+  EXPECT_NE(refused("backward-elastic").find("tr-bdf2 h=1/30"), std::string::npos);
+  EXPECT_NE(refused("tr-bdf2").find("part of the names of several: "), std::string::npos);
+  EXPECT_FALSE(fs::exists(wrong.out)) << "nothing is written";
+  Options one = shown();
+  one.trade.show = false;
+  one.trade.one_case = 0;
+  ASSERT_EQ(trade(one), exit_done);
+  write_all(wrong.out / "trade.csv", "an earlier table");
+  wrong.trade.collect = true;
+  EXPECT_NE(refused("backward-euler").find("no run is called so; there are: the scene"), std::string::npos);
+  wrong.overwrite = true;
+  refused("the scene");
+  wrong.overwrite = wrong.trade.collect = false;
+  refused("backward-elastic");
+  EXPECT_EQ(read_all(wrong.out / "trade.csv"), "an earlier table");
+  EXPECT_EQ(count(wrong.out / "cases"), 1U);
+}
+
+// A run that the search would not make is made where it is named.
+TEST_F(TradeShow, RunsWhatIsNamed) {
+  Options named = shown();
+  named.still = true;
+  named.trade.show_names = {"trapezoidal h=1/210"};
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(trade(named), exit_done);
+  testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(rows(named.out).contains("trapezoidal h=1/210"));
+}
+
+TEST_F(TradeShow, RefusesAVideoThatCannotBeBeforeAnythingIsRun) {
+  Options video = shown();
+  video.video = folder_ / "film.txt";
+  EXPECT_NE(error_of([&] { trade(video); }).find("must end in .mp4 or .gif"), std::string::npos);
+  EXPECT_FALSE(fs::exists(video.out));
+}
+
+TEST_F(TradeShow, CollectsOnlyFromAFolderThatIsThere) {
+  Options none = options();
+  none.trade.collect = true;
+  EXPECT_EQ(error_of([&] { trade(none); }),
+            none.out.string() + ": there is no such folder, so there is nothing to collect");
+  EXPECT_FALSE(fs::exists(none.out));
 }
 
 TEST_F(TradeShow, DrawsAllFrames) {
@@ -107,6 +154,8 @@ TEST(TradeCommandLine, ShowTakesNamesOrNone) {
   EXPECT_TRUE(two->still);
   EXPECT_FALSE(without->trade.show);
   EXPECT_FALSE(parsed({"a.toml", "--still"})) << "it is of --show";
+  for (const char* other : {"--jobs", "--case=0", "--compare=b.toml"})
+    EXPECT_FALSE(parsed({"a.toml", other, "--show"})) << other;
 }
 
 }  // namespace
