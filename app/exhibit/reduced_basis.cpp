@@ -157,6 +157,9 @@ class ReducedBasis : public Exhibit {
     Eigen::MatrixXd all(2, 2 * full_.cols());
     all << body_.mesh().X, placed(rest_);
     cover(all, 0.04, d);
+    // A row of names above the body, which bends down.
+    const double name = d.y[1] + 0.06 * (d.y[1] - d.y[0]), width = d.x[1] - d.x[0];
+    d.y[1] += 0.2 * (d.y[1] - d.y[0]);
     add_elements(
         body_.mesh(), full_,
         [](int) {
@@ -164,9 +167,8 @@ class ReducedBasis : public Exhibit {
         },
         false, d);
     for (std::size_t k = 0; k < basis_ways.size(); ++k) add_outline(body_.mesh(), reduced_[k], basis_ways[k].ink, d);
-    d.words.push_back(
-        {{d.x[0], d.y[0] + 0.30 * (d.y[1] - d.y[0])}, std::to_string(r_) + (r_ == 1 ? " mode" : " modes"), Ink::red});
-    d.words.push_back({{d.x[0], d.y[0] + 0.12 * (d.y[1] - d.y[0])}, parts_text(), Ink::blue});
+    d.words.push_back({{d.x[0], name}, std::to_string(r_) + (r_ == 1 ? " mode" : " modes"), Ink::red});
+    d.words.push_back({{d.x[0] + 0.4 * width, name}, parts_text(), Ink::blue});
     return d;
   }
 
