@@ -35,7 +35,7 @@ render::Image tiled(const std::vector<std::vector<render::Image>>& rows) {
 
 // The name of a run must not be too long for its picture.
 std::string fitting(const std::string& text) {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t most = 64;
   return text.size() <= most ? text : text.substr(0, most - 3) + "...";
 }
 
@@ -122,7 +122,8 @@ render::Image drawn(const std::deque<Column>& columns, int k, std::int64_t step,
     if (!camera) camera = frame.camera;
     frame.camera = *camera;
     rows[0].push_back(renderer.draw(frame));
-    column.colour(k, reach, &column == &columns.back(), frame);
+    // What the colours mean stands where all is one colour: the first is no distance from itself.
+    column.colour(k, reach, &column == &columns.front(), frame);
     rows[1].push_back(renderer.draw(frame));
   }
   return tiled(rows);
