@@ -51,6 +51,13 @@ std::string range(const char* axis, const AxisRange& range) {
   return formatted("set %srange [%.6g:%.6g]\n", axis, range.low, range.high);
 }
 
+// "0.05", "1e-4": long ones do not fit beside the axes.
+std::string tic_text(double value) {
+  if (value > 0.0099 && value < 9999) return formatted("%g", value);
+  const double exponent = std::floor(std::log10(value) + 1e-9);
+  return formatted("%ge%.0f", value / std::pow(10, exponent), exponent);
+}
+
 // Numbers at 1 of every decade, at more where there are few decades.
 std::string tics(const char* axis, const AxisRange& range) {
   const double decades = std::log10(range.high / range.low);
@@ -64,7 +71,7 @@ std::string tics(const char* axis, const AxisRange& range) {
   for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10)
     for (const double digit : digits) {
       if (!range.holds(digit * decade)) continue;
-      text += formatted("%s'%g' %g", first ? "" : ", ", digit * decade, digit * decade);
+      text += formatted("%s'%s' %g", first ? "" : ", ", tic_text(digit * decade).c_str(), digit * decade);
       first = false;
     }
   return text + ")\n";
