@@ -87,7 +87,7 @@ TEST(ProblemFile, RefusesAnExactSolutionThatIsNone) {
 
 TEST(ProblemFile, TellsThatAFileCannotBeRead) {
   const TemporaryFolder folder;
-  EXPECT_NE(error_of([&] { read_problem(folder / "none.toml"); }).find("cannot be read"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_problem(folder / "none.toml"); }).find("there is no such file"), std::string::npos);
   EXPECT_NE(error_of([&] { read_problem(folder.path()); }).find("cannot be read"), std::string::npos);
   write_all(folder / "empty.toml", "");
   EXPECT_NE(error_of([&] { read_problem(folder / "empty.toml"); }).find("f is missing"), std::string::npos);
