@@ -28,7 +28,10 @@ std::string quoted(const std::string& name) {
 
 std::string who_meets(const ContactTerm::Input& in, const Couple& couple, Meet how) {
   const bool crosses = how == Meet::crosses;
-  if (couple.a == couple.b) return quoted(in.names[couple.a]) + (crosses ? " crosses itself" : " touches itself");
+  if (couple.a == couple.b)
+    return quoted(in.names[couple.a]) + (crosses         ? " crosses itself"
+                                         : couple.xi > 0 ? " is no further from itself than the offset"
+                                                         : " touches itself");
   return quoted(in.names[couple.a]) + " and " + quoted(in.names[couple.b]) +
          (crosses         ? " cross each other"
           : couple.xi > 0 ? " are no further apart than the offset"
@@ -74,8 +77,8 @@ void check_contact_start(const Model& model, const ContactTerm& term, const Eige
   const Eigen::Matrix3Xd points = points_at(in.skin, x);
   const BroadPhase broad_phase(in.skin, points);
   const Surfaces surfaces{in.skin, broad_phase, solid_parts(model, in)};
-  std::string first;
-  int others = 0;
+  std::string first, others;  // what is said of the first pair, and who the others are
+  int more = 0;
   std::vector<Vec3> places;
   for (const Couple& couple : in.couples) {
     const Meeting it = meeting(surfaces, couple, points);
@@ -84,12 +87,13 @@ void check_contact_start(const Model& model, const ContactTerm& term, const Eige
     if (first.empty())
       first =
           who_meets(in, couple, it.how) + places_text(it.places, in.skin.D) + how_to_free(in, surfaces, couple, points);
-    else
-      ++others;
+    else if (++more <= 5)
+      others += (more > 1 ? "; " : "") + who_meets(in, couple, it.how);
   }
   if (places.empty()) return;
-  if (others > 0)
-    first += "; " + std::to_string(others) + " more " + (others == 1 ? "pair does" : "pairs do") + " not start apart";
+  if (more > 0)
+    first += "; " + std::to_string(more) + " more " + (more == 1 ? "pair does" : "pairs do") +
+             " not start apart: " + others + (more > 5 ? "; ..." : "");
   throw StartError(key, first + ": bodies of a contact must start apart, however small the gap", std::move(places));
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "sim/build/contact_start.h"
+#include "sim/build/impact.h"
 #include "sim/build/key_path.h"
 #include "sim/build/obstacles.h"
 #include "sim/mesh/input_error.h"
@@ -13,7 +15,7 @@ namespace sim {
 
 namespace {
 
-constexpr double thousandth = 1e-3, tenth = 0.1;
+constexpr double thousandth = 1e-3;
 
 int body_named(const Model& model, const std::string& name, const std::string& key) {
   const auto found =
@@ -40,13 +42,8 @@ std::vector<std::pair<int, int>> pairs_of(const Model& model, const Contact& con
   return all;
 }
 
-double softest(const Body& body) {
-  double young = std::numeric_limits<double>::infinity();
-  for (const MaterialSpec& material : body.materials) young = std::min(young, material.young);
-  return young;
-}
-
-Couple couple_of(const Model& model, const Contact& contact, int a, int b, const std::string& key) {
+Couple couple_of(const Parts& parts, const Contact& contact, int a, int b, const std::string& key) {
+  const Model& model = parts.model;
   Couple couple{a, b, 0, 0};
   const double size = std::min(model.ranges[a].size, model.ranges[b].size);
   if (contact.distance && *contact.distance > size)
@@ -55,7 +52,9 @@ Couple couple_of(const Model& model, const Contact& contact, int a, int b, const
                                             std::to_string(size) +
                                             " m: take a small part of that; none is a thousandth");
   couple.dh = contact.distance.value_or(thousandth * size);
-  couple.kappa = contact.stiffness.value_or(tenth * std::min(softest(model.bodies[a]), softest(model.bodies[b])));
+  const double speed = speed_of_body(parts, a) + speed_of_body(parts, b);
+  couple.kappa = contact.stiffness.value_or(
+      std::min(barrier_stiffness(model.bodies[a], speed), barrier_stiffness(model.bodies[b], speed)));
   couple.xi = contact.offset.value_or(0);
   return couple;
 }
@@ -66,8 +65,9 @@ void add_body_part(ContactTerm::Input& input, const Model& model, int body) {
   add_part(input.skin, model.bodies[body], model.ranges[body].first_node);
 }
 
-ContactTerm::Input input_of(const Model& model, const Contact& contact, const std::string& key,
+ContactTerm::Input input_of(const Parts& parts, const Contact& contact, const std::string& key,
                             std::set<std::pair<int, int>>& named) {
+  const Model& model = parts.model;
   ContactTerm::Input input;
   input.skin.D = model.D;
   input.friction = contact.friction;
@@ -84,7 +84,7 @@ ContactTerm::Input input_of(const Model& model, const Contact& contact, const st
       part[body] = static_cast<int>(input.skin.parts.size());
       add_body_part(input, model, body);
     }
-    Couple couple = couple_of(model, contact, a, b, key);
+    Couple couple = couple_of(parts, contact, a, b, key);
     couple.a = part[a];
     couple.b = part[b];
     input.couples.push_back(couple);
@@ -93,7 +93,7 @@ ContactTerm::Input input_of(const Model& model, const Contact& contact, const st
 }
 
 // Pairs that are near each other at rest already must not push: of a body with itself, and where an offset is given.
-void settle_distance(ContactTerm::Input& input, const Contact& contact, const Model& model) {
+void settle_distance(ContactTerm::Input& input, const Contact& contact, const std::string& key, const Model& model) {
   const Motion rest{model.X, model.X, 0, 0};
   for (Couple& couple : input.couples) {
     if (couple.a != couple.b) continue;
@@ -101,8 +101,9 @@ void settle_distance(ContactTerm::Input& input, const Contact& contact, const Mo
     alone.couples[0].dh = 2 * couple.dh;
     const double gap = ContactTerm(std::move(alone), model.X).reports(rest, rest)[0].gap;
     if (contact.distance && gap < couple.dh)
-      throw InputError("contact", "\"" + input.names[couple.a] + "\" is within the distance of itself at rest: " +
-                                      std::to_string(gap) + " m, so take a smaller one");
+      throw InputError(key + ".distance", "\"" + input.names[couple.a] +
+                                              "\" is within the distance of itself at rest: " + std::to_string(gap) +
+                                              " m, so take a smaller one");
     if (!contact.distance) couple.dh = std::min(couple.dh, gap / 2);
   }
 }
@@ -125,6 +126,23 @@ void add_term(Model& model, ContactTerm::Input input, const std::string& key) {
   model.terms.push_back(std::move(term));
 }
 
+// Of the latest term, whose distance was given: pairs that start so near that they push with more than kappa, and would
+// fly apart.
+void note_pushes(Parts& parts, const std::string& key) {
+  constexpr double near = 0.5;  // of dh
+  const ContactTerm& term = *parts.model.contacts.back();
+  const Motion start{parts.model.x_start, parts.model.x_start, 0, 0};
+  const std::vector<ContactReport> reports = term.reports(start, start);
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    const Couple& couple = term.input().couples[k];
+    if (reports[k].pairs == 0 || reports[k].gap >= near * couple.dh) continue;
+    std::ostringstream text;
+    text << key << ".distance: \"" << reports[k].first << "\" and \"" << reports[k].second << "\" start "
+         << reports[k].gap << " m apart, less than half of " << couple.dh << " m: they push each other from the start";
+    parts.remarks.push_back(text.str());
+  }
+}
+
 }  // namespace
 
 void add_contacts(Parts& parts, const Scene& scene) {
@@ -137,12 +155,13 @@ void add_contacts(Parts& parts, const Scene& scene) {
       if (scene.contacts[k].between.empty() == every) order.push_back(k);
   for (const std::size_t k : order) {
     const Contact& contact = scene.contacts[k];
-    ContactTerm::Input input = input_of(model, contact, key_of("contact", k), named);
+    ContactTerm::Input input = input_of(parts, contact, key_of("contact", k), named);
     if (input.couples.empty()) continue;
     for (const std::string& name : contact.between) input.name += (input.name.empty() ? "" : " ") + name;
     if (input.name.empty()) input.name = "of every pair";
-    settle_distance(input, contact, model);
+    settle_distance(input, contact, key_of("contact", k), model);
     add_term(model, std::move(input), key_of("contact", k));
+    if (contact.distance) note_pushes(parts, key_of("contact", k));
   }
 }
 
@@ -159,7 +178,8 @@ void add_contacts_with_obstacle(Parts& parts, std::size_t k) {
   const int bodies = static_cast<int>(model.bodies.size());
   for (int b = 0; b < bodies; ++b) {
     add_body_part(input, model, b);
-    input.couples.push_back({b, bodies, thousandth * model.ranges[b].size, tenth * softest(model.bodies[b])});
+    const double speed = speed_of_body(parts, b) + speed_of_obstacle(parts, k);
+    input.couples.push_back({b, bodies, thousandth * model.ranges[b].size, barrier_stiffness(model.bodies[b], speed)});
   }
   input.names.push_back(input.name);
   add_part(input.skin, surface.faces, surface.X, model.obstacle_nodes[k].first, thickest(model));

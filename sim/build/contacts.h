@@ -1,7 +1,7 @@
 // The contacts of a scene: which surfaces may touch, and the rules between them where the scene gives none.
 //   dh     1e-3 of the smaller body; of a body with itself also at most half of the least distance at rest of
 //          primitives that share no point: no force at rest
-//   kappa  a tenth of the smaller Young's modulus
+//   kappa  sim/build/impact.h, the smaller of both
 //   xi     0
 #pragma once
 

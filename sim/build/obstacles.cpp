@@ -8,6 +8,7 @@
 
 #include "sim/body/pose.h"
 #include "sim/build/contacts.h"
+#include "sim/build/impact.h"
 #include "sim/build/key_path.h"
 #include "sim/build/touching.h"
 #include "sim/contact/skin.h"
@@ -21,13 +22,6 @@ constexpr double of_body = 1e-3;  // where barriers begin; and friction is fully
 
 auto own_numbers(const Model& model, const ObstacleNodes& nodes, Eigen::VectorXd& x) {
   return x.segment(static_cast<Eigen::Index>(nodes.first) * model.D, static_cast<Eigen::Index>(nodes.count) * model.D);
-}
-
-// kappa A with a tenth of Young's modulus, as in contact, and the patch's area A: about that pressure is carried at
-// half of the barrier's width, at any mesh.
-double weight(const Body& body, double area) {
-  constexpr double tenth = 0.1;
-  return tenth * body.materials[0].young * area;
 }
 
 // At rest; in the plane the length times the thickness [m^2]. nodes: of the system.
@@ -46,20 +40,29 @@ Skin surface_of(const Model& model, std::size_t body) {
   return skin;
 }
 
+// kappa [Pa]; a patch carries kappa times its area: about that pressure at half of the barrier's width, at any mesh.
+double stiffness_before(const Parts& parts, std::size_t body, std::size_t obstacle) {
+  return barrier_stiffness(parts.model.bodies[body], speed_of_body(parts, body) + speed_of_obstacle(parts, obstacle));
+}
+
 // What a pin holds for good (`held`, of each node) touches only what moves.
-std::vector<ObstacleTerm::Contact> patches_before(const Plane&, const Model& model, const std::vector<char>& held) {
+std::vector<ObstacleTerm::Contact> patches_before(const Plane&, const Parts& parts, std::size_t k,
+                                                  const std::vector<char>& held) {
+  const Model& model = parts.model;
   std::vector<ObstacleTerm::Contact> contacts;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Skin skin = surface_of(model, b);
+    const double kappa = stiffness_before(parts, b, k);
     for (std::size_t p = 0; p < skin.node.size(); ++p)
-      if (!held[skin.node[p]]) contacts.push_back({{skin.node[p]}, 1, weight(model.bodies[b], skin.point_area[p])});
+      if (!held[skin.node[p]]) contacts.push_back({{skin.node[p]}, 1, kappa * skin.point_area[p]});
   }
   return contacts;
 }
 
 // A face with a node that is held within the sphere cannot be kept out of it.
-std::vector<ObstacleTerm::Contact> patches_before(const Sphere& sphere, const Model& model,
+std::vector<ObstacleTerm::Contact> patches_before(const Sphere& sphere, const Parts& parts, std::size_t k,
                                                   const std::vector<char>& held) {
+  const Model& model = parts.model;
   const auto is_within = [&](int node) {
     Vec3 x = Vec3::Zero();
     x.head(model.D) = model.x_start.segment(static_cast<Eigen::Index>(node) * model.D, model.D);
@@ -68,12 +71,13 @@ std::vector<ObstacleTerm::Contact> patches_before(const Sphere& sphere, const Mo
   std::vector<ObstacleTerm::Contact> contacts;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Skin skin = surface_of(model, b);
+    const double kappa = stiffness_before(parts, b, k);
     for (std::size_t f = 0; f < skin.faces.size(); ++f) {
       ObstacleTerm::Contact contact{{}, skin.corners(), 0};
       const auto nodes = std::span(contact.node.data(), contact.count);
       for (int i = 0; i < contact.count; ++i) nodes[i] = skin.node[skin.faces[f][i]];
       std::sort(nodes.begin(), nodes.end());
-      contact.kappa = weight(model.bodies[b], area_of(model, b, nodes));
+      contact.kappa = kappa * area_of(model, b, nodes);
       if (std::all_of(nodes.begin(), nodes.end(), [&](int node) { return held[node]; })) continue;
       if (std::none_of(nodes.begin(), nodes.end(), is_within)) contacts.push_back(contact);
     }
@@ -81,19 +85,21 @@ std::vector<ObstacleTerm::Contact> patches_before(const Sphere& sphere, const Mo
   return contacts;
 }
 
-std::vector<ObstacleTerm::Contact> patches(const Model& model, const Obstacle& obstacle) {
+std::vector<ObstacleTerm::Contact> patches(const Parts& parts, std::size_t k) {
+  const Model& model = parts.model;
+  const Obstacle& obstacle = model.obstacles[k];
   const std::vector<char> held =
       obstacle.motion.empty() ? still_nodes(model) : std::vector<char>(static_cast<std::size_t>(model.node_count), 0);
-  if (const auto* plane = std::get_if<Plane>(&obstacle.shape)) return patches_before(*plane, model, held);
-  return patches_before(std::get<Sphere>(obstacle.shape), model, held);
+  if (const auto* plane = std::get_if<Plane>(&obstacle.shape)) return patches_before(*plane, parts, k, held);
+  return patches_before(std::get<Sphere>(obstacle.shape), parts, k, held);
 }
 
 void add_smooth(Parts& parts, std::size_t k) {
   Model& model = parts.model;
   const Obstacle& obstacle = model.obstacles[k];
   const double reach = of_body * model.smallest_size();
-  auto term = std::make_unique<ObstacleTerm>(obstacle, model.obstacle_nodes[k], patches(model, obstacle), reach, reach,
-                                             model.D);
+  auto term =
+      std::make_unique<ObstacleTerm>(obstacle, model.obstacle_nodes[k], patches(parts, k), reach, reach, model.D);
   model.smooth.push_back(term.get());
   for (const BodyRange& body : model.ranges) part_from_obstacle(*term, key_of("obstacle", k), body, reach / 2, model);
   model.terms.push_back(std::move(term));

@@ -27,7 +27,9 @@ std::vector<Key> contact_keys() {
        "Coulomb's coefficient of friction."},
       {"contact[].distance", Form(Kind::number, "m", above(0)).otherwise("1e-3 of the smaller body"),
        field<contact_of, &sim::Contact::distance>, "How near surfaces come before they push."},
-      {"contact[].stiffness", Form(Kind::number, "Pa", above(0)).otherwise("a tenth of the smaller Young's modulus"),
+      {"contact[].stiffness",
+       Form(Kind::number, "Pa", above(0))
+           .otherwise("a tenth of the smaller Young's modulus, or of rho v^2 where the scene throws bodies that fast"),
        field<contact_of, &sim::Contact::stiffness>,
        "Pressure at about half of that distance; nearer it grows without end."},
       {"contact[].offset", Form(Kind::number, "m", at_least(0)).otherwise("0"),
