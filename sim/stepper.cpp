@@ -28,12 +28,12 @@ class Unheld final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_stepper(const System& system, int threads) {
+std::unique_ptr<Stepper> make_stepper(const System& system, int threads, std::function<bool()> interrupted) {
   const Parts& parts = parts_of(system);
   if (!parts.no_equilibrium.empty()) return std::make_unique<Unheld>(parts.no_equilibrium);
   if (parts.reduction) return std::make_unique<ReducedStepper>(parts.model, *parts.reduction, *parts.scheme, threads);
   if (parts.scheme->is_explicit()) return std::make_unique<ExplicitStepper>(parts.model, *parts.scheme, threads);
-  return std::make_unique<ImplicitStepper>(parts.model, *parts.scheme, threads);
+  return std::make_unique<ImplicitStepper>(parts.model, *parts.scheme, threads, std::move(interrupted));
 }
 
 // Measured by `ritz run` on 2 cores, seconds on one thread over those on two: the bear of 4,500 degrees of freedom 0.5,

@@ -42,7 +42,8 @@ class Runner {
         folder_(folder),
         sink_(sink),
         outcome_(outcome),
-        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, sink.cores_for_steps()))),
+        stepper_(sim::make_stepper(system_, sim::useful_threads(system_, sink.cores_for_steps()),
+                                   [this] { return interrupt_.requested(); })),
         log_(system_, simulation.document.scene.probes, folder, resumed_step(start, 1)),
         history_(simulation, start.resumed ? read_energies(folder.steps(), system_, start.run.state.step)
                                            : std::vector<Energies>()),
@@ -63,7 +64,7 @@ class Runner {
   void go(std::int64_t last_step) {
     while (state().step < last_step) {
       if (interrupt_.requested()) return end(Status::interrupted);
-      if (!step()) return end(Status::failed);
+      if (!step()) return end(interrupt_.requested() ? Status::interrupted : Status::failed);
     }
     end(Status::done);
   }
@@ -74,7 +75,7 @@ class Runner {
   // False when the step could not be taken; the state is then the last good one.
   bool step() {
     const sim::StepReport report = stepper_->step(outcome_.run.state);
-    if (!outcome_.add(report)) return false;
+    if (report.interrupted || !outcome_.add(report)) return false;
     progress_.note(note(report, outcome_.run.totals, log_.step(state(), report)));
     progress_.update(state().step, Progress::Clock::now());
     if (state().step % system_.steps_per_frame() == 0) frame_reached(report);

@@ -19,6 +19,7 @@ class Pose {
   Vec3 turned(const Vec3& direction) const;
   // Of what the script moves and is at x now [m/s].
   Vec3 velocity(const Vec3& x) const;
+  bool moves() const { return turn_rate_ != 0 || !translate_rate_.isZero(0); }
 
  private:
   Keyframe at_;

@@ -18,8 +18,9 @@ constexpr double force_noise = 1e-15;  // round-off of a body's forces at rest, 
 
 }  // namespace
 
-Newton::Newton(const Model& model, int threads)
+Newton::Newton(const Model& model, int threads, std::function<bool()> interrupted)
     : model_(model),
+      interrupted_(std::move(interrupted)),
       fix_(model.solver.definiteness),
       pure_(model.solver.newton == NewtonKind::pure),
       tangent_(model, threads),
@@ -32,7 +33,9 @@ Newton::Newton(const Model& model, int threads)
       difference_(model.dofs()),
       product_(model.dofs()),
       turned_(model.dofs()),
-      way_(Eigen::VectorXd::Zero(model.dofs())) {}
+      way_(Eigen::VectorXd::Zero(model.dofs())),
+      v_given_(model.dofs()),
+      still_(Eigen::VectorXd::Zero(model.dofs())) {}
 
 void Newton::begin_step(const Motion& start, double t_end, const KeptFactor& kept) {
   if (model_.pins.released(t_end) != tangent_.epoch()) {
@@ -63,19 +66,24 @@ double Newton::potential(const StageProblem& stage, const Motion& motion) {
 }
 
 // x = x* + g h v on the free components; a static problem, and prescribed components on their way, move x itself.
+// Velocities change with positions on both: dv = dx/(g h).
 void Newton::move(const StageProblem& stage, double a, Eigen::VectorXd& x, Eigen::VectorXd& v) const {
   if (stage.gh == 0) {
     x = x_from_ + a * dx_;
     return;
   }
   const auto& free = tangent_.free();
-  for (Eigen::Index i = 0; i < x.size(); ++i)
-    if (free[i] != 0) {
-      v[i] = v_from_[i] + (a / stage.gh) * dx_[i];
-      x[i] = stage.x_star[i] + stage.gh * v[i];
-    } else {
-      x[i] = x_from_[i] + a * dx_[i];
-    }
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    v[i] = v_from_[i] + (a / stage.gh) * dx_[i];
+    x[i] = free[i] != 0 ? stage.x_star[i] + stage.gh * v[i] : x_from_[i] + a * dx_[i];
+  }
+}
+
+bool Newton::is_interrupted(StepReport& report) const {
+  if (!interrupted_ || !interrupted_()) return false;
+  report.interrupted = true;
+  report.failure = "interrupted";
+  return true;
 }
 
 // f - (M (v - v_start) - impulse)/(g h), from the forces in f_
@@ -102,6 +110,8 @@ bool Newton::tangent_serves(const StageProblem& stage, const Motion& motion, Ste
 // full step with the matrix of the iteration before, where it serves. False: a value is not finite.
 bool Newton::direction(const StageProblem& stage, const Motion& motion, Definiteness first, bool full_step_before,
                        double tolerance, StepReport& report) {
+  const Motion still{motion.x, still_, motion.t, 0, motion.barriers};
+  const Motion& seen = way_kind_ == Way::slides ? still : motion;
   const double rate = motion.dv_dx;
   const Definiteness definite = fix_ == Definiteness::none ? Definiteness::clamp : fix_;
   is_singular_ = false;
@@ -109,12 +119,12 @@ bool Newton::direction(const StageProblem& stage, const Motion& motion, Definite
   for (Definiteness fix = first;; fix = definite, kept_tangent_ = false) {
     Stopwatch watch(report.seconds_assemble);
     if (!kept_tangent_) {
-      tangent_.linearise(motion, rate * rate, fix, f_);
+      tangent_.linearise(seen, rate * rate, fix, f_);
       ++report.force_evaluations;
       form_residual(stage, motion);
       made_ = fix;
     }
-    if (is_moving_) {
+    if (way_kind_ != Way::none) {
       tangent_.multiply(way_, product_);
       residual_ -= product_;
     }
@@ -165,11 +175,19 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
   constexpr int most_idle = 3;
   double share = 1;
   int idle = 0;
+  // Their velocities grow along the way as positions do, up to those of its end: friction and damping then ask for what
+  // the linear system gives. Were they at the end's from the start, all that they drag would go twice as far.
+  const bool obstacles_move = !way_.tail((model_.node_count - model_.body_nodes) * model_.D).isZero(0);
+  v_given_ = v;
+  if (stage.gh != 0) v -= way_ / stage.gh;
   for (int k = 0; has_way_to_go(stage, x); ++k) {
     way_ *= share;
-    is_moving_ = true;
+    // Obstacles slide along what they touch, which is to make room, and so do pins once what they drag has run into
+    // something: friction and damping act when all is at its place.
+    way_kind_ = k == 0 && !obstacles_move ? Way::drags : Way::slides;
+    if (is_interrupted(report)) return false;
     const bool found = direction(stage, motion, fix_, false, tight, report);
-    is_moving_ = false;
+    way_kind_ = Way::none;
     if (k == most_moves || idle == most_idle || !found) {
       report.failure = pressed_text(model_, motion, way_);
       return false;
@@ -191,7 +209,10 @@ bool Newton::bring_prescribed(const StageProblem& stage, const Motion& motion, E
     }
     if (arrives && a == 1)
       for (Eigen::Index i = 0; i < x.size(); ++i)
-        if (tangent_.free()[i] == 0) x[i] = stage.target[i];
+        if (tangent_.free()[i] == 0) {
+          x[i] = stage.target[i];
+          v[i] = v_given_[i];
+        }
   }
   return true;
 }
@@ -231,6 +252,7 @@ bool Newton::solve(const StageProblem& stage, std::optional<double> start, Eigen
   bool full_step_before = false;
   int k = 0;
   for (; k < most; ++k) {
+    if (is_interrupted(report)) return false;
     const Definiteness first = exactness.next();
     if (!direction(stage, motion, first, full_step_before, linear, report)) {
       report.failure = "the forces or the Newton direction are not finite";

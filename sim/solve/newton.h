@@ -1,6 +1,7 @@
 // Newton's method on the potential of one stage: minimises 1/2 |x - (x* + g h v*)|_M^2 + (g h)^2 U(x).
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "sim/report.h"
@@ -25,7 +26,8 @@ struct StageProblem {
 
 class Newton {
  public:
-  Newton(const Model& model, int threads);
+  // interrupted: asked in each iteration; where it says so, solve() fails.
+  Newton(const Model& model, int threads, std::function<bool()> interrupted = {});
 
   // Terms freeze what they keep for a step; the free components are those of time t_end of the step.
   // kept: the factor that the state at the start tells of.
@@ -48,6 +50,7 @@ class Newton {
   TangentOperator& tangent() { return tangent_; }
 
  private:
+  bool is_interrupted(StepReport& report) const;
   void form_residual(const StageProblem& stage, const Motion& motion);
   bool tangent_serves(const StageProblem& stage, const Motion& motion, StepReport& report);
   bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, bool full_step_before,
@@ -75,6 +78,7 @@ class Newton {
   void inertia(const StageProblem& stage, const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
   const Model& model_;
+  std::function<bool()> interrupted_;
   Definiteness fix_;
   bool pure_;
   TangentOperator tangent_;
@@ -85,9 +89,11 @@ class Newton {
   bool kept_tangent_ = false;  // it is that of the iteration before
   double residual_norm_ = 0;   // there, N
   Eigen::VectorXd f_, residual_, dx_, x_from_, v_from_, difference_, product_;
-  Eigen::VectorXd turned_;  // a part of dx_ that turns bodies
-  Eigen::VectorXd way_;     // of prescribed components to their places
-  bool is_moving_ = false;  // they are on it
+  Eigen::VectorXd turned_;   // a part of dx_ that turns bodies
+  Eigen::VectorXd way_;      // of prescribed components to their places
+  Eigen::VectorXd v_given_;  // of prescribed components where these are at their places
+  Eigen::VectorXd still_;    // no velocity
+  enum class Way { none, drags, slides } way_kind_ = Way::none;  // what they do to what they touch while they are on it
 };
 
 }  // namespace sim

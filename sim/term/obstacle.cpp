@@ -242,6 +242,10 @@ void ObstacleTerm::bind(const BlockPattern& pattern) {
   }
 }
 
+bool ObstacleTerm::drives(double t) const {
+  return obstacle_.friction > 0 && !obstacle_.motion.empty() && !is_gone(t) && Pose(obstacle_.motion, t).moves();
+}
+
 double ObstacleTerm::largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store&) const {
   if (is_gone(motion.t)) return 1;
   double largest = 1;

@@ -44,6 +44,7 @@ class ObstacleTerm final : public Term {
   void add_diagonal(const Store& store, double s, Eigen::VectorXd& d) const override;
   void couple(Coupling& coupling) const override;
   void bind(const BlockPattern& pattern) override;
+  bool drives(double t) const override;
   bool limits_moves() const override { return true; }
   double largest_step(const Motion& motion, const Eigen::VectorXd& dx, Store&) const override;
 

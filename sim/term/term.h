@@ -45,6 +45,8 @@ class Term {
   virtual void begin_step(const Motion& /*start*/, Store&) const {}
   // Of a dead load, whose force depends on time alone: the ramp [s] on which it rises (sim/term/ramp.h).
   virtual std::optional<double> dead_ramp() const { return {}; }
+  // Its friction drags what touches it, at time t: it moves, even where no node does, as a plane that turns in itself.
+  virtual bool drives(double /*t*/) const { return false; }
   // It freezes something.
   virtual bool lags() const { return false; }
 

@@ -42,12 +42,15 @@ void EnergyLimit::calm(const State& begin, double t, State& next, double t_end) 
   slow_down(kinetic(begin.v) + potential_at(begin, t), next, t_end);
 }
 
-// Something that is prescribed moves, or the potential changes while nothing does: it was `potential`.
+// Something that is prescribed moves, a term's own motion drags, or the potential changes while nothing does: it was
+// `potential`.
 bool EnergyLimit::driven(const State& begin, double t, double t_end, double potential) {
   for (const double end : {t, t_end}) {
     v_.setZero();
     model_.pins.prescribe(end, x_, v_);
     if (!v_.isZero(0)) return true;
+    for (const auto& term : model_.terms)
+      if (term->drives(end)) return true;
   }
   return potential_at(begin, t_end) != potential;
 }
@@ -61,6 +64,10 @@ bool EnergyLimit::gains(const State& begin, double t, State& next, double t_end)
   next.energy_most = is_driven ? energy : allowed;
   next.kinetic_most = is_driven ? T : fastest;
   return false;
+}
+
+void EnergyLimit::settle(State& next, double t_end) {
+  next.energy_most = kinetic(next.v) + potential_at(next, t_end);
 }
 
 // With dv = v_{n+1} - v_n: T(v_n + s dv) = T(v_n) + b s + a s^2, a = T(dv), b = v_n.M dv = T(v_{n+1}) - T(v_n) - a.

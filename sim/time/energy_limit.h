@@ -22,6 +22,8 @@ class EnergyLimit {
   // this step they have more energy than they ever had since it last did, by more than `noise` of the largest kinetic
   // energy. Otherwise `next` remembers that most. [after Dinev et al. 2018]
   bool gains(const State& begin, double t, State& next, double t_end);
+  // Backward Euler took the step: what it lost is lost, and the energy at its end is the most from then on.
+  void settle(State& next, double t_end);
   // Where backward Euler gains as well: what the step did to the velocity counts as far as there is energy for it,
   // which keeps the momentum. The largest s in [0, 1] with
   //   T(v_n + s (v_{n+1} - v_n)) + U(x_{n+1}) <= that most

@@ -19,10 +19,11 @@ enum class Guess { stay, flight, turned, carried_on };
 
 }  // namespace
 
-ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads)
+ImplicitStepper::ImplicitStepper(const Model& model, const Scheme& scheme, int threads,
+                                 std::function<bool()> interrupted)
     : model_(model),
       scheme_(scheme),
-      newton_(model, threads),
+      newton_(model, threads, std::move(interrupted)),
       limit_(model, newton_.tangent()),
       may_gain_(!scheme.is_static && newton_.tangent().limits_moves()),
       begin_(most_halvings + 1) {
@@ -230,6 +231,7 @@ bool ImplicitStepper::advance(const Interval& interval, StepReport& report) {
   };
   const Scheme &own = scheme_of(interval, report), &euler = *find_scheme("backward-euler");
   if (solved(own)) return true;
+  if (report.interrupted) return false;
   if (model_.solver.on_failure == OnFailure::stop && report.failure.empty())
     report.failure = "the step did not converge: " + std::string(report.reason);
   if (model_.solver.on_failure != OnFailure::split || scheme_.is_static) return report.failure.empty();
@@ -267,7 +269,10 @@ StepReport ImplicitStepper::step(State& state) {
   if (gains()) {
     report.braked = true;
     if (scheme_.order > 1) taken = take();
-    if (gains()) limit_.brake(state, whole.t, next_, whole.t_end);
+    if (gains())
+      limit_.brake(state, whole.t, next_, whole.t_end);
+    else if (taken)
+      limit_.settle(next_, whole.t_end);
   }
   if (!taken) {
     measure_J(model_, newton_.tangent(), state, report);

@@ -1,6 +1,7 @@
 // Steps an implicit scheme: each stage is one minimisation. [mathematics.md 7]
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "sim/mesh/input_error.h"
@@ -14,7 +15,7 @@ namespace sim {
 // What is done with a step whose equations are not solved: take it again in halves, accept it, or stop.
 class ImplicitStepper final : public Stepper {
  public:
-  ImplicitStepper(const Model& model, const Scheme& scheme, int threads);
+  ImplicitStepper(const Model& model, const Scheme& scheme, int threads, std::function<bool()> interrupted = {});
   StepReport step(State& state) override;
 
  private:
