@@ -10,7 +10,7 @@ namespace app {
 
 // Of the picture, and of its axes in it; pixels, from the lower left.
 inline constexpr double chart_width = 1280, chart_height = 720;
-inline constexpr double axes_left = 100, axes_right = 860, axes_below = 160, axes_above = 610;
+inline constexpr double axes_left = 100, axes_right = 1165, axes_below = 160, axes_above = 545;
 // Heights of letters: of axes and names, of what is beside points. At a quarter of the size they are still legible.
 inline constexpr double large_letters = 30, small_letters = 23;
 

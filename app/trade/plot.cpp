@@ -120,7 +120,7 @@ std::string written(const PlacedText& text) {
 
 // Names of the axes above their ends, so that they stand upright and clear of the numbers.
 std::string headings(const Chart& chart) {
-  constexpr double title = 75, names = 27, end_of_pixels = 950;  // pixels above the axes; from the left
+  constexpr double title = 152, names = 27, end_of_pixels = axes_right + 95;  // pixels above the axes; from the left
   const std::string seconds = "seconds of computing for a simulated second", pixels = "pixels at 1080p";
   std::string text =
       written({axes_left, axes_above + title, fitting(chart.title, true, chart_width - axes_left - 10), true, black}) +
@@ -131,29 +131,38 @@ std::string headings(const Chart& chart) {
   return text;
 }
 
-// The names of the lines, each beside its line and mark.
+// The names of the lines, each beside its line and mark, in rows between the title and the axes.
 std::string legend(const Chart& chart) {
-  constexpr double left = 970, middle = 994, right = 1018, text_left = 1028, spacing = 32;  // pixels
-  double y = axes_above - 12;
+  constexpr double line_width = 48, before_text = 10, between = 26, spacing = 30, first_row = 116;  // pixels
+  double x = axes_left, y = axes_above + first_row;
+  std::string text;
   const auto line = [&](const std::string& style) {
     return formatted("set arrow from screen %.4f, screen %.4f to screen %.4f, screen %.4f nohead front %s\n",
-                     left / chart_width, y / chart_height, right / chart_width, y / chart_height, style.c_str());
+                     x / chart_width, y / chart_height, (x + line_width) / chart_width, y / chart_height,
+                     style.c_str());
   };
-  std::string text;
-  const auto row = [&](const std::string& name, const std::string& drawn) {
-    text += drawn + written({text_left, y, fitting(name, false, chart_width - text_left), false, black});
-    y -= spacing;
+  const auto place = [&](const std::string& name) {
+    const double width = line_width + before_text + text_width(name, false);
+    if (x > axes_left && x + width > chart_width) {
+      x = axes_left;
+      y -= spacing;
+    }
   };
-  if (!chart.front.empty()) row("front", line(front_style));
+  const auto write = [&](const std::string& name, const std::string& drawn) {
+    text += drawn + written({x + line_width + before_text, y, name, false, black});
+    x += line_width + before_text + text_width(name, false) + between;
+  };
+  if (!chart.front.empty()) write("front", line(front_style));
   for (const Line& one : chart.lines) {
     if (one.title.empty()) continue;
+    place(one.title);
     std::string drawn;
     if (one.joined)
       for (const std::string& style : line_layers(one.ink)) drawn += line(style);
     for (const std::string& style : mark_layers(one.ink, one.size))
-      drawn += formatted("set label '' at screen %.4f, screen %.4f point %s front\n", middle / chart_width,
-                         y / chart_height, style.c_str());
-    row(one.title, drawn);
+      drawn += formatted("set label '' at screen %.4f, screen %.4f point %s front\n",
+                         (x + line_width / 2) / chart_width, y / chart_height, style.c_str());
+    write(one.title, drawn);
   }
   return text;
 }
