@@ -51,6 +51,7 @@ class Newton {
 
  private:
   bool is_interrupted(StepReport& report) const;
+  int most_iterations(const StepReport& report) const;
   void form_residual(const StageProblem& stage, const Motion& motion);
   bool tangent_serves(const StageProblem& stage, const Motion& motion, StepReport& report);
   bool direction(const StageProblem& stage, const Motion& motion, Definiteness first, bool full_step_before,

@@ -24,7 +24,9 @@ std::vector<Key> solver_keys() {
       {"solver.max_iterations", Form(Kind::integer, "", between(1, 100000)),
        field<solver_of, &sim::Solver::max_iterations>,
        "The most Newton iterations that a stage of a step may take. Where they do not suffice although each gets on, "
-       "the step is accepted unsolved, and so slow that it has no more energy than when it began."},
+       "the step is accepted unsolved, and so slow that it has no more energy than when it began. A step that is "
+       "halved "
+       "takes no more than twice as many in all its parts, and 20 for each part that is left then."},
       {"solver.lag_iterations", Form(Kind::integer, "", between(0, 100)),
        field<solver_of, &sim::Solver::lag_iterations>,
        "Beta damping takes its stiffness, friction its normal forces, and pressure what acts at a free rim from the "
