@@ -1,10 +1,10 @@
 // A way out of states that elasticity alone does not leave: a body folded through itself, or with elements that are
 // stuck inside out. While a connected part of it is tangled (sim/mesh/tangle.h) when a step begins, each node i is
 // drawn to its place g_i in the rest shape, moved rigidly to where the part is:
-//   U = sum_i k_i/2 |x_i - g_i|^2,  g_i = R (X_i - X_mean) + x_mean + (t - t_n) v_mean,  k_i = s sum_e E_e
-//   V_e/l_e^2/n_e
-// l_e the size of an element, n_e its nodes, s the strength; R, x_mean, v_mean fit best when the step begins. [after
-// shape matching, Mueller et al. 2005] A part that is not tangled feels nothing. Pinned nodes lead the fit.
+//   U = sum_i k_i/2 |x_i - g_i|^2,  g_i = R X_i + c(t),  k_i = s sum_e E_e V_e/l_e^2/n_e
+// l_e the size of an element, n_e its nodes, s the strength; R fits best when the step begins. [after shape matching,
+// Mueller et al. 2005] A part that is not tangled feels nothing. Pinned nodes lead the fit; a part that has none gets
+// hardly any momentum, by its c(t): what elements hold is not counted in that.
 //
 // Nodes are drawn over distances of the body's size within a step, on ways that no scheme resolves. A second stage, or
 // a force from before, would make a spin of many radians a step out of them, which the scheme sustains: so such a step
@@ -49,7 +49,8 @@ class UntangleTerm final : public Term {
     std::vector<int> nodes;  // of the body
     Tangle tangle;
   };
-  void aim(const Part& part, const Motion& start, Goals& goals) const;
+  void aim(std::size_t part, Goals& goals) const;
+  void place(double t, Goals& goals) const;
   // Of the body's nodes; p has three numbers for each, the third 0 in 2D.
   void take(const Eigen::VectorXd& x, Eigen::Matrix3Xd& p) const;
   // Calls f(node of the body, its first component in the system) for the nodes that are drawn.
@@ -61,7 +62,8 @@ class UntangleTerm final : public Term {
   int first_node_, D_;
   Eigen::Index dofs_;  // of the system
   Eigen::Matrix3Xd X_;
-  Eigen::VectorXd k_;  // N/m
+  Eigen::VectorXd k_;     // N/m
+  Eigen::VectorXd mass_;  // kg
   const Pins& pins_;
   std::vector<Part> parts_;
   std::vector<int> slot_;
