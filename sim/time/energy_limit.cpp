@@ -60,7 +60,8 @@ bool EnergyLimit::gains(const State& begin, double t, State& next, double t_end)
   const double T = kinetic(next.v), energy = T + potential_at(next, t_end);
   const double allowed = most(begin, potential), fastest = std::max(begin.kinetic_most, T);
   const bool is_driven = driven(begin, t, t_end, potential);
-  if (!is_driven && !(energy <= allowed + noise * fastest)) return true;
+  const double at_once = kinetic(begin.v) + potential + regained * fastest;
+  if (!is_driven && !(energy <= std::min(allowed + noise * fastest, at_once))) return true;
   next.energy_most = is_driven ? energy : allowed;
   next.kinetic_most = is_driven ? T : fastest;
   return false;

@@ -20,7 +20,8 @@ class EnergyLimit {
   // Bodies that hit something hard leave it in a motion that no step resolves: trapezoidal makes more of it without
   // end, and every scheme a little where a corner slips off another. True: nothing drives the bodies, and at the end of
   // this step they have more energy than they ever had since it last did, by more than `noise` of the largest kinetic
-  // energy. Otherwise `next` remembers that most. [after Dinev et al. 2018]
+  // energy, or more than at its beginning by more than `regained` of that. Otherwise `next` remembers that most. [after
+  // Dinev et al. 2018]
   bool gains(const State& begin, double t, State& next, double t_end);
   // Backward Euler took the step: what it lost is lost, and the energy at its end is the most from then on.
   void settle(State& next, double t_end);
@@ -36,7 +37,7 @@ class EnergyLimit {
   void slow_down(double energy, State& next, double t_end);
   bool driven(const State& begin, double t, double t_end, double potential);
 
-  static constexpr double noise = 1e-3;
+  static constexpr double noise = 1e-3, regained = 0.1;
   const Model& model_;
   TangentOperator& tangent_;
   Eigen::VectorXd x_, v_;  // scratch
