@@ -54,7 +54,8 @@ inline bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, c
     return false;
   Eigen::Matrix3d M;
   M << q - p, a - b, a - c;
-  if (M.determinant() == 0) return false;
+  // An edge in the plane of the triangle, but for round-off: of a flat side of one body.
+  if (std::abs(M.determinant()) <= 1e-13 * M.colwise().norm().prod()) return false;
   const Vec3 s = M.inverse() * (a - p);
   return s[0] > 0 && s[0] < 1 && s[1] > 0 && s[2] > 0 && s[1] + s[2] < 1;
 }
