@@ -11,10 +11,10 @@ namespace sim {
 
 // What a step has to say about itself.
 struct StepReport {
-  std::int64_t step = 0;  // the step that was taken: 1 is the first
+  std::int64_t step = 0;     // the step that was taken: 1 is the first
   bool interrupted = false;  // the caller wanted no more of it: the failure says so
-  int newton = 0;         // Newton iterations, all stages
-  int linear = 0;         // iterations of the linear solver (a direct solve counts 1)
+  int newton = 0;            // Newton iterations, all stages
+  int linear = 0;            // iterations of the linear solver (a direct solve counts 1)
   int factorisations = 0;
   int force_evaluations = 0;
   int backtracks = 0;       // halvings in the line search

@@ -35,9 +35,9 @@ struct State {
   Eigen::VectorXd x, v;                // positions [m] and velocities [m/s], D numbers per node, node by node
   Eigen::VectorXd x_before, v_before;  // of the step before; empty until there is one
   Eigen::VectorXd force;               // N, that the last stage balanced, without barriers; empty: to be evaluated
-  // J, where bodies may hit something: the most that they had, kinetic and potential, since something last drove them or
-  // backward Euler took a step in another scheme's place, and their largest kinetic energy since they were driven. The
-  // latter negative: neither is known.
+  // J, where bodies may hit something: the most that they had, kinetic and potential, since something last drove them
+  // or backward Euler took a step in another scheme's place, and their largest kinetic energy since they were driven.
+  // The latter negative: neither is known.
   double energy_most = 0, kinetic_most = -1;
   std::int64_t parts = 1;   // explicit schemes: how many a step is taken in (sim/time/step_watch.h)
   Eigen::VectorXd fastest;  // ... and the shape of the vibration that asks for them; empty: not watched yet

@@ -111,8 +111,9 @@ TEST(Untangle, ForceAndProductAreTheDerivativesOfTheEnergy) {
   EXPECT_EQ(force(x).norm(), 0);
 }
 
-// Nodes are drawn by springs that are stiffer where elements are small, and yet to where the centre of mass stays: cells
-// are four times as long at one end as at the other. Where the centre of the springs stayed, it was 0.12 of M v_rms.
+// Nodes are drawn by springs that are stiffer where elements are small, and yet to where the centre of mass stays:
+// cells are four times as long at one end as at the other. Where the centre of the springs stayed, it was 0.12 of M
+// v_rms.
 TEST(Untangle, GivesHardlyAnyMomentum) {
   for (const int seed : {1, 2, 3}) {
     Scene scene = block("stable-neo-hookean", "backward-euler", "scrambled", seed);
