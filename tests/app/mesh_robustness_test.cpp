@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-// While it lives the process cannot take more than 64 MB of address space on top of what it has.
+// While it lives the process cannot take more than 256 MB of address space on top of what it has.
 class MemoryLimit {
  public:
   MemoryLimit() {
@@ -21,7 +21,8 @@ class MemoryLimit {
     statm >> pages;
     getrlimit(RLIMIT_AS, &before_);
     rlimit limit = before_;
-    limit.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (64u << 20);
+    // More than a thread that starts late reserves for itself (a stack and 128 MB).
+    limit.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (256u << 20);
     setrlimit(RLIMIT_AS, &limit);
 #endif
   }
