@@ -11,6 +11,7 @@ namespace {
 
 // Speed is convex in the place, so it is largest at a corner of the box around these nodes.
 double fastest(const Model& model, int first_node, int count, const std::vector<Keyframe>& motion) {
+  if (motion.empty()) return 0;
   const auto X =
       model.X.segment(static_cast<Eigen::Index>(first_node) * model.D, static_cast<Eigen::Index>(count) * model.D)
           .reshaped(model.D, count);

@@ -22,10 +22,9 @@ double EnergyLimit::potential_at(const State& state, double t) {
   return tangent_.energy({state.x, state.v, t, 0});
 }
 
-// J, that the step may end with; `potential` is that at its beginning. Where someone gave the bodies another velocity,
-// what was remembered is less than they have.
-double EnergyLimit::most(const State& begin, double potential) {
-  const double had = kinetic(begin.v) + potential;
+// J, that the step may end with; `had` is what there was at its beginning. Where someone gave the bodies another
+// velocity, what was remembered is less than they have.
+double EnergyLimit::most(const State& begin, double had) const {
   const bool remembers = begin.kinetic_most >= 0 && had <= begin.energy_most + 2 * noise * begin.kinetic_most;
   return remembers ? begin.energy_most : had;
 }
@@ -58,9 +57,10 @@ bool EnergyLimit::driven(const State& begin, double t, double t_end, double pote
 bool EnergyLimit::gains(const State& begin, double t, State& next, double t_end) {
   const double potential = potential_at(begin, t);
   const double T = kinetic(next.v), energy = T + potential_at(next, t_end);
-  const double allowed = most(begin, potential), fastest = std::max(begin.kinetic_most, T);
+  const double had = kinetic(begin.v) + potential;
+  const double allowed = most(begin, had), fastest = std::max(begin.kinetic_most, T);
   const bool is_driven = driven(begin, t, t_end, potential);
-  const double at_once = kinetic(begin.v) + potential + regained * fastest;
+  const double at_once = had + regained * fastest;
   if (!is_driven && !(energy <= std::min(allowed + noise * fastest, at_once))) return true;
   next.energy_most = is_driven ? energy : allowed;
   next.kinetic_most = is_driven ? T : fastest;
@@ -73,8 +73,8 @@ void EnergyLimit::settle(State& next, double t_end) {
 
 // With dv = v_{n+1} - v_n: T(v_n + s dv) = T(v_n) + b s + a s^2, a = T(dv), b = v_n.M dv = T(v_{n+1}) - T(v_n) - a.
 void EnergyLimit::brake(const State& begin, double t, State& next, double t_end) {
-  const double allowed = most(begin, potential_at(begin, t)), left = allowed - potential_at(next, t_end);
   const double T_begin = kinetic(begin.v), T_end = kinetic(next.v);
+  const double allowed = most(begin, T_begin + potential_at(begin, t)), left = allowed - potential_at(next, t_end);
   v_ = next.v - begin.v;
   const double a = kinetic(v_), b = T_end - T_begin - a;
   if (a > 0) {

@@ -33,7 +33,7 @@ class EnergyLimit {
  private:
   double kinetic(const Eigen::VectorXd& v);
   double potential_at(const State& state, double t);
-  double most(const State& begin, double potential);
+  double most(const State& begin, double had) const;
   void slow_down(double energy, State& next, double t_end);
   bool driven(const State& begin, double t, double t_end, double potential);
 

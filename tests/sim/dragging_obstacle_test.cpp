@@ -38,17 +38,11 @@ TEST(DraggingObstacle, TakesAsManyIterationsAsPins) {
   for (const bool obstacle_moves : {false, true}) {
     const Scene scene = pressed_and_dragged(obstacle_moves);
     test::Stepped run(scene);
-    int newton = 0, most = 0;
-    for (int k = 0; k < 30; ++k) {
-      run.steps(1);
-      newton += run.last.newton;
-      most = std::max(most, run.last.newton);
-      ASSERT_EQ(test::count_crossings(scene, run.state.x), 0) << k;
-    }
-    std::printf("%s moves: %.1f iterations a step, at most %d\n", obstacle_moves ? "obstacle" : "pin", newton / 30.0,
-                most);
-    EXPECT_LT(newton / 30.0, 50);
-    EXPECT_LT(most, 250);
+    test::steps_without_crossing(scene, run, 30);
+    std::printf("%s moves: %.1f iterations a step, at most %d\n", obstacle_moves ? "obstacle" : "pin",
+                run.newton / 30.0, run.most_newton);
+    EXPECT_LT(run.newton / 30.0, 50);
+    EXPECT_LT(run.most_newton, 250);
     elastic[obstacle_moves] = run.system.measure(run.state).elastic;
   }
   EXPECT_NEAR(elastic[1], elastic[0], 0.1 * elastic[0]);

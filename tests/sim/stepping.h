@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/sim/scenes.h"
 
 namespace sim::test {
@@ -63,6 +65,7 @@ struct Stepped {
   State state;
   std::unique_ptr<Stepper> stepper;
   StepReport last;
+  int newton = 0, most_newton = 0;  // iterations: of all steps, of the one that took most
 
   explicit Stepped(const Scene& scene, int threads = 1)
       : system(scene, threads), state(system.initial_state()), stepper(make_stepper(system, threads)) {}
@@ -70,6 +73,8 @@ struct Stepped {
   void steps(int count) {
     for (int k = 0; k < count; ++k) {
       last = stepper->step(state);
+      newton += last.newton;
+      most_newton = std::max(most_newton, last.newton);
       ASSERT_EQ(last.failure, "") << "step " << last.step;
       ASSERT_TRUE(last.converged) << "step " << last.step << ", increment " << last.increment;
     }
